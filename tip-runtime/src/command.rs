@@ -21,7 +21,7 @@ use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
 
-/// The most legs, and the most joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
+/// Maximum number of legs, and of joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
 pub const MAX: usize = 9;
 
 /// `R`: the value after it is relative to the current state.
@@ -51,7 +51,7 @@ impl core::error::Error for UnknownWord {}
 /// One evaluated operand of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number without a prefix; relative to the target in commands whose numbers are.
+    /// A number without a prefix. It is relative to the target in commands of relative motion.
     Absolute(f64),
     /// A number after `R`.
     Relative(f64),
@@ -305,7 +305,7 @@ impl FromStr for Port {
 /// An event flag of a condition (T.I.P. 3.1 §6-2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Flag {
-    /// A stop of the program at the next good moment was requested.
+    /// The program was requested to stop at its next good moment.
     HaltRequest,
     /// The keyboard buffer is not empty.
     KbHit,
@@ -408,7 +408,8 @@ pub enum Reading {
     Measured(Teach, Target),
 }
 
-/// Each quantity that a special variable measures, with what its words begin with, and true if it is measured at joints too.
+/// Each quantity that a special variable measures, with the prefix of its words, and true if it is measured at joints
+/// too.
 const QUANTITIES: [(Teach, &str, bool); 4] = [
     (Teach::Angle, "@AGL_", true),
     (Teach::Torque, "@TRQ_", true),
@@ -436,7 +437,7 @@ impl Reading {
         }
     }
 
-    /// Returns what the reading's word begins with; `F`, `J` and digits follow.
+    /// Returns the prefix of the reading's word; `F`, `J` and digits follow.
     pub const fn stem(self) -> &'static str {
         match self {
             Reading::Timer(_) => TIMER,

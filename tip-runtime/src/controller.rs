@@ -1,13 +1,12 @@
-//! From commands to joint angles: control modes, trajectories, parameters, limits.
+//! The controller, which turns commands into joint angles: control modes, trajectories, parameters, limits.
 //!
-//! A control cycle calls [`sense`](Controller::sense), then at most one
-//! [`command`](Core::command), then [`advance`](Core::advance), and sends the
-//! [`outputs`](Controller::outputs). Everything else answers questions.
+//! A control cycle calls [`sense`](Controller::sense), then at most one [`command`](Core::command), then
+//! [`advance`](Core::advance), and sends the [`outputs`](Controller::outputs). All other methods are queries.
 //!
-//! Moves head straight for their targets under V_MAX and A_MAX, or OMEGA_MAX and OMEGA_DOT_MAX,
-//! and keep their velocity when a command changes their goal. Velocity and angular-velocity
-//! control obey the limits of acceleration only. Where a leg cannot go on it stops at once: an
-//! emergency under EMG_ON; under EMG_OFF it stays there until it is sent elsewhere.
+//! Moves head straight for their targets under V_MAX and A_MAX, or OMEGA_MAX and OMEGA_DOT_MAX, and keep their velocity
+//! when a command changes their goal. Velocity and angular-velocity control obey the limits of acceleration only. Where
+//! a leg cannot go on it stops immediately: an emergency under EMG_ON; under EMG_OFF it stays there until it is sent
+//! elsewhere.
 //!
 //! Modes are kept per leg and joint. Nothing is controlled at the start: the servos hold the
 //! initial posture.
@@ -129,11 +128,11 @@ impl<const L: usize, const J: usize> Controller<L, J> {
         outputs
     }
 
-    /// Takes in what the sensors read.
+    /// Takes the readings of the sensors.
     ///
     /// # Errors
-    /// A joint sensor that reads nonsense; a joint beyond its potentiometer's limits, or under
-    /// EMG_ON beyond its working limits; the fault of the last advance.
+    /// An invalid reading of a joint sensor; a joint beyond the limits of its potentiometer, or under EMG_ON
+    /// beyond its working limits; the fault of the last advance.
     pub fn sense(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
         (**self).sense_view(&sensors.view())
     }
@@ -172,7 +171,7 @@ impl Core<()> {
         }
     }
 
-    /// Adds the legs; only this is compiled for each number of them.
+    /// Adds the legs. Only this function is compiled for each number of legs.
     fn with<S>(self, legs: S) -> Core<S> {
         Core {
             robot: self.robot,
@@ -214,7 +213,7 @@ impl<const J: usize> ControllerView<J> {
         self.legs.get(leg)?.model.joints.get(joint)
     }
 
-    /// Writes what every joint is commanded, leg by leg.
+    /// Writes the command of every joint, leg by leg.
     pub(crate) fn put_outputs(&self, outputs: &mut [[JointCommand; J]]) {
         for (outputs, leg) in outputs.iter_mut().zip(&self.legs) {
             *outputs = leg.outputs(&self.robot);
@@ -239,7 +238,7 @@ impl<const J: usize> ControllerView<J> {
     /// Starts or continues a command. A command that answers `Pending` is asked again, unchanged,
     /// in each cycle until it is done.
     ///
-    /// Commands of the console, lamps and logs, and SPECIAL, are not the controller's: `Domain`.
+    /// The controller refuses commands of the console, lamps and logs, and SPECIAL, by `Domain`.
     ///
     /// # Errors
     /// The fault of the command, which then had no effect.
@@ -293,8 +292,7 @@ impl<const J: usize> ControllerView<J> {
         Ok(Poll::Done)
     }
 
-    /// Moves every joint command on by one sampling time. A fault is reported by the next
-    /// [`sense`](Controller::sense).
+    /// Advances every joint command by one sampling time. A fault is reported by the next [`sense`](Controller::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;
         let cycle = CycleParams {

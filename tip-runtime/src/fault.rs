@@ -61,7 +61,7 @@ pub enum Fault {
     WrongStep,
     /// A joint reached its limit (leg and joint, from 1).
     JointLimit(u8, u8),
-    /// The target, or the path to it, leaves the reachable space.
+    /// The target, or the path to it, is out of reach.
     OutOfReach(Target),
     /// An input reads an invalid value.
     Sensor(Port),

@@ -1,5 +1,5 @@
-//! The parts that generated code is made of. It is no part of the public API:
-//! [`version`](crate::version) ties generated code to this crate.
+//! Support for generated code, which is not part of the public API: [`version`](crate::version) ties generated code to
+//! this crate.
 //!
 //! Every row of a table of states starts with a function, also one that is data: [`step`] loads it and jumps
 //! there, without a branch on the kind of row and without keeping anything of its own.
@@ -8,10 +8,10 @@ use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::program::{CallStack, Context, Flow};
 
-/// The function of a state; the row is its own.
+/// The function of a row, which gets the row itself.
 pub type Run<P> = fn(&mut P, &mut dyn Context, Row<P>) -> Result<Flow, Fault>;
 
-/// A row where it stands.
+/// A row in its table.
 pub type Row<P> = &'static Step<P>;
 
 /// A row of a program's table of states.
@@ -29,11 +29,11 @@ pub trait State: 'static {
     /// Returns the step that runs next.
     fn at_mut(&mut self) -> &mut u32;
 
-    /// Goes on to a step, "taken"; never a fault.
+    /// Goes on to a step, "taken". It never fails.
     fn go(&mut self, step: u32) -> Result<Flow, Fault>;
 }
 
-/// Fills the place of a command in rows that ask for none.
+/// Placeholder in rows without a command.
 const NOTHING: &Command<'static> = &Command {
     op: Op::Sleep,
     hs: false,
@@ -42,7 +42,7 @@ const NOTHING: &Command<'static> = &Command {
 };
 
 impl<P: State> Step<P> {
-    /// Asks for a command of constants, and goes on when it is done.
+    /// Creates a row that asks for a command of constants and goes on when it is done.
     pub const fn ask(command: &'static Command<'static>, next: u32) -> Self {
         Step {
             run: ask,
@@ -60,7 +60,7 @@ impl<P: State> Step<P> {
         }
     }
 
-    /// Needs code.
+    /// Creates a row with code.
     pub const fn run(run: Run<P>) -> Self {
         Step {
             run,
@@ -69,7 +69,7 @@ impl<P: State> Step<P> {
         }
     }
 
-    /// The row of a step that does not exist.
+    /// The row for a step that does not exist.
     const WRONG: Row<P> = &Step::run(wrong);
 }
 
@@ -85,7 +85,7 @@ fn wrong<P>(_: &mut P, _: &mut dyn Context, _: Row<P>) -> Result<Flow, Fault> {
     Err(Fault::WrongStep)
 }
 
-/// Runs the step of the table that the program stands on.
+/// Runs the program's present step.
 ///
 /// # Errors
 /// The fault that the step found.
@@ -102,12 +102,12 @@ pub fn step<P: State>(
     (row.run)(program, cx, row)
 }
 
-/// The place of the main program or of a thread.
+/// The position of the main program or of a thread.
 #[derive(Clone, Copy, Debug)]
 pub struct Position {
     /// The step that runs next.
     pub at: u32,
-    /// It is reached from an IF or ELSEIF that was false.
+    /// True if the step is reached from an IF or ELSEIF that was false.
     pub not_taken: bool,
     /// The open calls.
     pub calls: CallStack,
@@ -124,8 +124,8 @@ impl Position {
     }
 }
 
-/// The places of a program with threads: one of `N`, the main program's first, is the program's own while it is
-/// selected.
+/// The positions of a program with threads: the main program's first, then those of threads. The position of the
+/// selected one is in the program itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Threads<const N: usize> {
     selected: u8,
@@ -141,7 +141,7 @@ impl<const N: usize> Threads<N> {
         }
     }
 
-    /// Selects the main program (0) or a thread: puts the present place away and returns the other one.
+    /// Selects the main program (0) or a thread: stores the present position and returns the other one.
     pub fn select(&mut self, thread: u8, present: Position) -> Position {
         if let Some(place) = self.places.get_mut(usize::from(self.selected)) {
             *place = present;
@@ -151,7 +151,7 @@ impl<const N: usize> Threads<N> {
         place.copied().unwrap_or(present)
     }
 
-    /// Returns the step of a thread, `present` being the selected one's.
+    /// Returns the step of a thread. `present` is the step of the selected one.
     pub fn at(&self, thread: u8, present: u32) -> u32 {
         let place = self.places.get(usize::from(thread));
         match place {

@@ -63,15 +63,15 @@ pub struct Sensors<const L: usize, const J: usize> {
     pub ages: [[u32; J]; L],
     /// Torque of each joint on its link, in the robot's torque unit; NaN where nothing senses it.
     pub torques: [[f64; J]; L],
-    /// V of knobs, of the soles' pressure sensors, of the feeler: what a program reads by a name. A palm's touch gives 1.
-    /// NaN where nothing is connected.
+    /// The inputs that a program reads by name: knobs, pressure sensors of the soles and the feeler, V. The touch of a
+    /// palm reads 1. NaN for an input that is not connected.
     pub inputs: Inputs,
-    /// Place of the slider (`FLOOR`), mm; anything without a slider.
+    /// Place of the slider (`FLOOR`), mm; ignored without a slider.
     pub slider: Point,
 }
 
 impl<const L: usize, const J: usize> Sensors<L, J> {
-    /// The readings of a simulation in which nothing is driven.
+    /// Readings that are all 0, as in a simulation without motion.
     pub const ZERO: Self = Sensors {
         angles: [[0.0; J]; L],
         ages: [[0; J]; L],
@@ -133,16 +133,15 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 /// The command of one joint in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointCommand {
-    /// Be at an angle.
+    /// Position control.
     Angle {
         /// The angle, deg.
         angle: f64,
-        /// Rate of the trajectory from the angle commanded before to this one, over one sampling
-        /// time, deg/s; 0 where it rests. A drive that can use it goes there evenly, in place
-        /// of jumping and waiting. Vibrations are in the angle, not in the rate.
+        /// Rate of the trajectory from the previous command to this angle over one sampling time, deg/s; 0 at rest. A
+        /// drive can use it as a feed-forward velocity. Vibrations are included in the angle, but not in the rate.
         rate: f64,
     },
-    /// Give this torque, in the robot's torque unit.
+    /// Torque control, in the robot's torque unit.
     Torque(f64),
 }
 
@@ -216,8 +215,8 @@ pub trait Hardware<const L: usize, const J: usize> {
     fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
-/// A value for each input that a robot may have; what a robot lacks keeps the value of the beginning. Joints are not
-/// among them, since their potentiometers are read as angles, and channels lead to other inputs.
+/// A value for each input that a robot may have. Inputs that a robot lacks keep their first value. Joints are not
+/// included, since their potentiometers are read as angles; neither are channels, which lead to other inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs<T = f64>([T; Port::INPUTS]);
 
@@ -232,12 +231,12 @@ impl<T: Copy> Inputs<T> {
         self.0.get(port.place()?).copied()
     }
 
-    /// Returns the value of an input, to be changed.
+    /// Returns the value of an input, mutably.
     pub fn get_mut(&mut self, port: Port) -> Option<&mut T> {
         self.0.get_mut(port.place()?)
     }
 
-    /// Gives an input a value; `false` where [`get`](Self::get) gives `None`.
+    /// Sets the value of an input. Returns false if [`get`](Self::get) returns `None` for it.
     pub fn set(&mut self, port: Port, value: T) -> bool {
         self.get_mut(port).map(|place| *place = value).is_some()
     }
@@ -249,7 +248,7 @@ impl<T: Copy> Inputs<T> {
 }
 
 impl Inputs {
-    /// Reads what was set, where something was.
+    /// Replaces the readings of inputs that were set.
     pub(crate) fn replace(&mut self, set: &Inputs<Option<f64>>) {
         for (read, set) in self.0.iter_mut().zip(&set.0) {
             *read = set.unwrap_or(*read);

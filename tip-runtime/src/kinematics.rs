@@ -50,7 +50,7 @@ pub fn first_beyond_limits<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> O
         .position(|(joint, angle)| !joint.limits.widened(ROUNDING).contains(*angle))
 }
 
-/// Returns the most that a joint turns from one posture to another, deg.
+/// Returns the largest turn of a joint from one posture to another, deg.
 pub(crate) fn largest_turn<const J: usize>(from: &[f64; J], to: &[f64; J]) -> f64 {
     let turns = from.iter().zip(to).map(|(from, to)| libm::fabs(to - from));
     turns.fold(0.0, f64::max)

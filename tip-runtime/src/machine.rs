@@ -85,7 +85,7 @@ pub struct Machine<P, H, const L: usize, const J: usize, C = (), S = ()> {
     hardware: H,
     controller: Controller<L, J>,
     sensors: Sensors<L, J>,
-    /// The outputs of the last cycle.
+    /// Outputs of the last cycle.
     outputs: Outputs<L, J>,
 }
 
@@ -135,10 +135,9 @@ where
         }
     }
 
-    /// Starts the program again on the robot as it is: after its end, after an emergency, or in
-    /// the middle. All that steps have set is as at first; nothing is controlled, and every joint stays
-    /// where it was measured, as in an emergency stop. Cycles and time count from 0. Native
-    /// code of SPECIAL keeps what it remembers.
+    /// Restarts the program on the robot in its present state: after its end, after an emergency, or in the middle.
+    /// Everything that steps have set is reset; nothing is controlled, and every joint stays where it was measured, as
+    /// in an emergency stop. Cycles and time count from 0. Native code of SPECIAL keeps its state.
     pub fn restart(&mut self) {
         self.program.reset();
         self.controller.restart();
@@ -174,7 +173,7 @@ where
 }
 
 impl<P, H, const L: usize, const J: usize, S> Machine<P, H, L, J, (), S> {
-    /// Returns a program on a robot, before its first cycle.
+    /// Creates a machine before its first cycle.
     fn resting(program: P, model: &Model<L, J>, hardware: H, special: S) -> Self {
         Machine {
             program,
@@ -201,7 +200,7 @@ impl<P, H, const L: usize, const J: usize, C, S> Machine<P, H, L, J, C, S> {
         self.state.key(byte);
     }
 
-    /// Asks the program to stop at its next good moment: `HALT_REQUEST` is true from now on.
+    /// Requests the program to stop at its next good moment: `HALT_REQUEST` is true from now on.
     pub fn request_halt(&mut self) {
         self.state.io.halt_requested = true;
     }
@@ -283,7 +282,7 @@ impl<P, H, const L: usize, const J: usize, C, S> Machine<P, H, L, J, C, S> {
         self.state.io.timers.time(n)
     }
 
-    /// Returns true if a flag of conditions (T.I.P. 3.1 §6-2) is up.
+    /// Returns the state of an event flag (T.I.P. 3.1 §6-2).
     pub fn flag(&self, flag: Flag) -> bool {
         let (controller, inputs) = (&self.controller, &self.sensors.inputs);
         self.state.io.flag(flag, controller, inputs)
@@ -315,17 +314,17 @@ impl<P, H, const L: usize, const J: usize, C, S> Machine<P, H, L, J, C, S> {
     }
 }
 
-/// The program was checked for another robot than the one it was put on.
+/// The error for a program that was checked for another robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mismatch {
     /// The robot the program was checked for.
     pub program: Signature,
-    /// The robot at hand.
+    /// The robot of the machine.
     pub robot: Signature,
 }
 
 impl Mismatch {
-    /// Checks a program against a robot. Compiled once, whatever the sizes of robots.
+    /// Checks a program against a robot. It is compiled once for robots of all sizes.
     #[inline(never)]
     fn check(program: &dyn Program, robot: Signature) -> Result<(), Self> {
         let program = program.signature();
@@ -370,11 +369,10 @@ pub trait Simulated<const L: usize, const J: usize> {
     /// The robot as data.
     const MODEL: &'static Model<L, J>;
 
-    /// Returns the robot as every run begins with it: a walker above a level floor, a hand without
-    /// objects.
+    /// Returns the simulated robot before a run: a walker on a level floor, a hand without objects.
     fn hardware() -> Self::Hardware;
 
-    /// Its native commands.
+    /// Returns its native commands.
     fn special() -> Self::Special;
 }
 

@@ -52,7 +52,7 @@ pub use robots::{generic, hand, titan8};
 
 use core::fmt;
 
-/// Whose commands a robot understands (the letters T, H, G of the language reference).
+/// The set of commands that a robot understands (the letters T, H, G of the language reference).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Family {
     /// TITAN VIII.
@@ -194,7 +194,7 @@ pub enum Inverse {
 pub type Axes = [bool; 3];
 
 impl Inverse {
-    /// Every one, each before those that suit more legs.
+    /// All forms, each before those that fit more legs.
     pub const ALL: [Inverse; 4] = [
         Inverse::YawPitchPitch,
         Inverse::RollPitchPitch,
@@ -241,10 +241,10 @@ pub enum TorqueUnit {
 }
 
 impl TorqueUnit {
-    /// Both.
+    /// Both units.
     pub const ALL: [TorqueUnit; 2] = [TorqueUnit::NewtonMetre, TorqueUnit::MillinewtonMetre];
 
-    /// Its symbol.
+    /// Returns its symbol.
     pub const fn symbol(self) -> &'static str {
         match self {
             TorqueUnit::NewtonMetre => "N·m",
@@ -312,7 +312,7 @@ impl Slider {
 pub struct Model<const L: usize, const J: usize> {
     /// The name that programs and messages use.
     pub name: &'static str,
-    /// Whose commands it understands.
+    /// The set of commands that it understands.
     pub family: Family,
     /// Its legs, F1 first.
     pub legs: [Leg<J>; L],

@@ -1,6 +1,6 @@
 //! The interface of a compiled or interpreted program, and the robot that its steps can reach.
 //!
-//! Macros and build scripts make programs of text. One by hand shows what they have to answer:
+//! Macros and build scripts make programs from text. This one is written by hand:
 //!
 //! ```
 //! use tip_runtime::fault::Fault;
@@ -71,7 +71,7 @@ use crate::vibration::Vibration;
 use core::fmt;
 use core::fmt::Display;
 
-/// The most THREADs of a program (T.I.P. 3.2).
+/// Maximum number of THREADs of a program (T.I.P. 3.2).
 pub const THREADS: usize = 7;
 
 /// The command that ended the program.
@@ -101,7 +101,7 @@ pub enum Flow {
 pub struct Signature {
     /// The robot's name.
     pub robot: &'static str,
-    /// Whose commands the program may use.
+    /// The set of commands that the program may use.
     pub family: Family,
     /// Number of legs.
     pub legs: u8,
@@ -153,7 +153,7 @@ pub trait Program {
         None
     }
 
-    /// Lets [`at`](Self::at) and [`step`](Self::step) be those of a thread, or of the main program (0).
+    /// Selects the thread, or the main program (0), to which [`at`](Self::at) and [`step`](Self::step) apply.
     fn select(&mut self, thread: u8) {
         let _ = thread;
     }
@@ -163,8 +163,8 @@ pub trait Program {
         let _ = thread;
     }
 
-    /// Returns how many scalars behind `VAR_KEY` are those of special variables, which native code of SPECIAL shares
-    /// ([`SpecialVariable`]).
+    /// Returns the number of scalars after `VAR_KEY` that belong to special variables, which native code of SPECIAL
+    /// shares ([`SpecialVariable`]).
     fn specials(&self) -> usize {
         0
     }
@@ -255,7 +255,7 @@ pub enum SpecialVariable {
     Joint(u8, u8),
 }
 
-/// The robot as native code of a SPECIAL command, and every step, sees it.
+/// The interface of steps and of native code of SPECIAL to the robot.
 pub trait Robot {
     /// Starts or continues a command. While it answers `Pending` the same command is asked again each cycle.
     ///
@@ -277,23 +277,24 @@ pub trait Robot {
     fn flag(&self, flag: Flag) -> bool;
     /// Sets one of `SPECIAL_FLAG0…9`; other numbers are ignored.
     fn set_special_flag(&mut self, n: u8, on: bool);
-    /// Lets a joint vibrate about what it is commanded, or keep still. One that vibrates already goes
-    /// on from where in its wave it is. Vibration ends with the program, and rests under ALL_STOP.
+    /// Starts or ends the vibration of a joint about its command. A joint that vibrates already keeps the phase of its
+    /// wave. Vibration ends with the program, and rests under ALL_STOP.
     ///
     /// # Errors
     /// `Domain` for a target that is not a joint, a robot that does not vibrate
     /// ([`Model::vibration`](crate::model::Model::vibration)), an amplitude that is not finite, or a
     /// frequency that is not finite or negative.
     fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault>;
-    /// Pulls a foot, or a third joint (`Jn3`), to the place `to` (mm) by a spring of its own stiffness
-    /// (N/mm along each axis), whose set point is there immediately. The rest is as COMPLIANCE_POSITION
-    /// has it; the stiffness that the program set stays what it is.
+    /// Pulls a foot, or a third joint (`Jn3`), to the place `to` (mm) by a spring with its own stiffness (N/mm along
+    /// each axis), whose set point is there immediately. All else is as in COMPLIANCE_POSITION. The stiffness that the
+    /// program has set does not change.
     ///
     /// # Errors
-    /// `Domain` for another target, a robot without torques, or numbers without sense.
+    /// `Domain` for another target, a robot without torques, a number that is not finite, or a negative
+    /// stiffness.
     fn pull(&mut self, point: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault>;
-    /// Returns the torque of each joint of a leg: what it is commanded, vibration aside, or else
-    /// what it senses.
+    /// Returns the commanded torque of each joint of a leg without vibration, or the sensed one if none is commanded,
+    /// in the robot's torque unit.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.
@@ -303,8 +304,7 @@ pub trait Robot {
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
     fn inverse(&self, leg: u8, from: &[f64; MAX], position: Point) -> Result<[f64; MAX], Fault>;
-    /// Shows a bar graph on the console, or takes it away: 0 is that of the joint torques, 1 that of
-    /// the forces at the feet.
+    /// Shows or removes a bar graph on the console: 0 is that of the joint torques, 1 that of the forces at the feet.
     ///
     /// # Errors
     /// `Domain` for another graph, or a robot without torques.
@@ -329,10 +329,10 @@ pub trait Robot {
     }
 }
 
-/// The robot and the console as a step sees them.
+/// The interface of steps to the robot and the console.
 pub trait Context: Robot {
-    /// Asks for the command of a step, which puts the program on from `at` to `next` once it is done. A compiled
-    /// step that is a command ends in this call.
+    /// Asks for the command of a step, and sets `at` to `next` when the command is done. A compiled step that is a
+    /// command ends in this call.
     ///
     /// # Errors
     /// The errors of [`command`](Robot::command); `at` stays what it is.
@@ -379,7 +379,7 @@ pub trait Context: Robot {
         let _ = n;
         0.0
     }
-    /// Lets a thread (from 1) begin in the next cycle.
+    /// Starts a thread (from 1) in the next cycle.
     ///
     /// # Errors
     /// `InvalidMode` for a thread that runs.
@@ -421,7 +421,7 @@ impl CallStack {
         }
     }
 
-    /// Remembers where to return to.
+    /// Stores a return address.
     ///
     /// # Errors
     /// `TooDeep` when ten calls are open.

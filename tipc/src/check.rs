@@ -44,9 +44,9 @@ struct Known<'a> {
 pub(crate) struct Checked<'m> {
     /// Definitions and uses of names.
     pub(crate) symbols: Symbols,
-    /// The module with all that its words stand for, unless a statement of it could not be resolved.
+    /// The resolved module; `None` if a statement could not be resolved.
     pub(crate) resolved: Option<ResolvedModule<'m>>,
-    /// All diagnostics, those of the parser among them.
+    /// All diagnostics, including those of the parser.
     pub(crate) found: Diagnostics,
 }
 
@@ -63,7 +63,7 @@ pub(crate) struct ResolvedModule<'m> {
     pub(crate) actions: Vec<Option<Action>>,
 }
 
-/// Runs every pass over a module, in which the parser found these mistakes.
+/// Runs every pass over a module. `found` has the diagnostics of the parser.
 pub(crate) fn check<'m>(
     source: &Source,
     module: &'m Module,
@@ -85,7 +85,7 @@ pub(crate) fn check<'m>(
     };
     let jumps = jumps::resolve(&known, &mut found);
     let (actions, named) = resolve::statements(&known, &jumps, &mut found);
-    // What a variable is used for shows only where the blocks are whole.
+    // The uses of variables are known only if the blocks are whole.
     if found
         .iter()
         .all(|diagnostic| diagnostic.code != Code::Structure)

@@ -11,12 +11,12 @@ use tip_runtime::fault::{Fault, Kind, UNASSIGNED};
 pub enum Level {
     /// The program does not load.
     Error,
-    /// The program loads; something in it looks wrong.
+    /// The program loads, but something in it is probably wrong.
     Warning,
 }
 
 impl Level {
-    /// `error` or `warning`.
+    /// Returns `error` or `warning`.
     pub const fn name(self) -> &'static str {
         match self {
             Level::Error => "error",
@@ -48,7 +48,7 @@ macro_rules! codes {
                 match self { $( Code::$variant => $kind, )* }
             }
 
-            /// Returns the classical message (T.I.P. 3.1 §9); of a warning, ours.
+            /// Returns the classical message of an error (T.I.P. 3.1 §9), or the message of a warning.
             pub const fn template(self) -> &'static str {
                 match self { $( Code::$variant => $message, )* }
             }
@@ -284,7 +284,7 @@ impl Code {
         }
     }
 
-    /// Returns the code of what ended a run. Its message is the fault's, its `{}` stands for what the fault names.
+    /// Returns the code of a fault that ended a run. `{}` in its message stands for the subject of the fault.
     pub const fn of_fault(fault: &Fault) -> Code {
         match fault {
             Fault::Domain => Code::Domain,
@@ -297,13 +297,13 @@ impl Code {
             Fault::OutOfReach(_) => Code::NotReached,
             Fault::Sensor(_) | Fault::SliderSensor | Fault::JointSensor(..) => Code::Sensor,
             Fault::EmergencyKey => Code::EmergencyKey,
-            // Whatever else may fail is part of the robot.
+            // All other faults are faults of the robot's hardware.
             _ => Code::Hardware,
         }
     }
 }
 
-/// One kind of mistake, of several that a code covers. The messages that are reasons of one have its code.
+/// One of several kinds of mistakes that a code covers. Messages that are reasons of this kind have its finer code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Mistake {
@@ -321,7 +321,7 @@ impl Mistake {
         lang.pick(self.english, self.japanese)
     }
 
-    /// Returns the kinds that a code covers; none of a code that covers one kind only.
+    /// Returns the kinds that a code covers; nothing for a code that covers one kind only.
     pub fn of_class(class: Code) -> impl Iterator<Item = &'static Mistake> {
         Self::ALL
             .iter()
@@ -343,7 +343,7 @@ const fn mistake(
     }
 }
 
-// A number is chosen once: a kind that is new takes the next one of its class.
+// A number never changes: a new kind takes the next one of its class.
 #[rustfmt::skip]
 impl Mistake {
     /// Every kind, in order of the codes.

@@ -1,4 +1,5 @@
-//! Robots from descriptions: the text of a TOML file becomes a [`Description`], and that whatever is needed of it.
+//! Robots from descriptions: the text of a TOML file becomes a [`Description`], which gives models, facts for checking
+//! and shapes.
 //!
 //! A description says where the legs are and what joints they have; everything else has a default.
 //! All keys are in the table [`KEYS`]; `docs/robots.md` shows them with an example.
@@ -86,7 +87,7 @@ impl Description {
     }
 }
 
-/// A leg: the data of [`tip_runtime::model::Leg`], whatever the number of joints, and shapes.
+/// A leg: the data of [`tip_runtime::model::Leg`] for any number of joints, and shapes.
 #[derive(Clone, Debug, PartialEq)]
 struct Leg {
     base: Point,
@@ -96,12 +97,13 @@ struct Leg {
     shapes: Vec<Vec<Shape>>,
 }
 
-/// Reads a description. `name` is how diagnostics call the file.
+/// Reads a description. `name` is the file's name in diagnostics.
 ///
-/// Its name stays in memory, once for all robots that have it: programs and models refer to it.
+/// The robot's name stays in memory until the process ends, since programs and models refer to it; equal names share
+/// it.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its location; there is no program in it.
+/// All faults of the file, each at its location, as a [`Loaded`] without a program.
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
     parse_for_servos(name, bytes, &[])
 }
@@ -157,7 +159,7 @@ fn read<T>(
     if !errors.is_empty() {
         let not_toml = |error| not_toml(part, error);
         let mut found: Found = errors.iter().map(not_toml).collect();
-        // What follows in a line is reported with its first fault.
+        // Only the first fault of a line is reported: others follow from it.
         found.sort_by_key(|fault| fault.span);
         found.dedup_by_key(|fault| source.line_column(fault.span.start).0);
         return Err(found);
@@ -170,7 +172,7 @@ fn read<T>(
     }
 }
 
-/// Reports the location where the text is not even TOML.
+/// Reports the location where the text is not TOML.
 fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     let location = error.span().unwrap_or_default();
     let reason = Describing::NotToml {
@@ -180,7 +182,7 @@ fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     fault(part, Span::new(location.start, location.end), reason, help)
 }
 
-/// Returns a name that stays in memory, once for all robots that have it.
+/// Returns a name that stays in memory until the process ends; equal names share it.
 fn lasting(name: &str) -> &'static str {
     static NAMES: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
     let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
@@ -213,7 +215,7 @@ fn describe(
     let inverse = model::inverse(robot, chosen, &legs, found)?;
     let may_touch = settings::may_touch(robot, &legs, body.is_some(), found);
     let bus = drives::read(robot, &legs, servos, found);
-    // Only names of robots stay in memory.
+    // The name of a faulty description must not stay in memory.
     let name = name.filter(|_| found.is_empty())?;
     let limits = |leg: &Leg| leg.joints.iter().map(|joint| joint.limits).collect();
     Some(Description {

@@ -22,7 +22,8 @@ pub struct Label {
 }
 
 impl Label {
-    /// Returns true if the same mistake shows again here, as at each other use of a name that is not declared.
+    /// Returns true if the label marks another occurrence of the same mistake, such as another use of an undeclared
+    /// name.
     pub const fn is_again(&self) -> bool {
         matches!(
             self.text,
@@ -37,32 +38,32 @@ impl Label {
 pub struct Diagnostic {
     /// The class of what it is about.
     pub code: Code,
-    /// The name or file that the message's `{}` stands for.
+    /// The name or file that replaces the message's `{}`.
     pub subject: Option<String>,
     /// Location in the source.
     pub span: Span,
-    /// The reason: of an error, its headline; of a warning, what is said at the location.
+    /// The reason. It is the headline of an error, and the text at the location of a warning.
     pub reason: Message,
     /// Other locations that matter.
     pub labels: Vec<Label>,
     /// The help: what to do about it.
     pub help: Option<Message>,
-    /// True if a word is unknown, and the help is no more than a guess. Who knows the word may replace the help.
+    /// True if the help is a guess at the meaning of an unknown word. A crate that knows the word may replace the help.
     pub is_guess: bool,
     /// Ways to put it right, the best first.
     pub fixes: Vec<Fix>,
-    /// Whose rules it is judged by.
+    /// The edition of the program, which decides the severity.
     pub edition: Edition,
-    /// Its finest code.
+    /// The code of its kind of mistake, see [`Diagnostic::id`].
     id: &'static str,
-    /// The mistake, if it is one mistake wherever it shows: the first diagnostic of it is reported, the others are its labels.
+    /// The identity of a mistake that is reported once: later diagnostics of it become labels of the first one.
     pub(crate) once: Option<MistakeId>,
-    /// The text of those labels, if it is not the usual one.
+    /// The text of those labels; `None` for the usual text.
     again: Option<Message>,
 }
 
 impl Diagnostic {
-    /// Creates a diagnostic of `code` at `span`, with the reason in this case.
+    /// Creates a diagnostic of class `code` at `span`.
     pub fn new(code: Code, span: Span, reason: impl Into<Message>) -> Self {
         let reason = reason.into();
         let mut finer = reason.codes().iter().copied();
@@ -83,7 +84,7 @@ impl Diagnostic {
         }
     }
 
-    /// Names what the message's `{}` stands for.
+    /// Sets the subject, which replaces the message's `{}`.
     #[must_use]
     pub fn about(mut self, subject: impl Into<String>) -> Self {
         self.subject = Some(subject.into());
@@ -124,7 +125,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a help that is a guess, since a word is unknown.
+    /// Adds a help that only guesses the meaning of an unknown word.
     #[must_use]
     pub(crate) fn guess(mut self, help: impl Into<Message>) -> Self {
         self.is_guess = true;
@@ -147,7 +148,7 @@ impl Diagnostic {
         self.filled(self.code.template())
     }
 
-    /// Fills the subject into a template: a path whole, of a name as much as is shown.
+    /// Fills the subject into a template. A path is kept whole; a long name is cut.
     fn filled(&self, template: &str) -> String {
         let subject = self.subject.as_deref().unwrap_or_default();
         match self.code {
@@ -156,7 +157,7 @@ impl Diagnostic {
         }
     }
 
-    /// Returns what people read first: of an error its reason, of a warning its message.
+    /// Returns the line that people read first: the reason of an error, the message of a warning.
     pub fn headline(&self, lang: Lang) -> String {
         match self.level() {
             Level::Error => self.reason.in_lang(lang).to_string(),
@@ -202,13 +203,13 @@ pub struct Edit {
 }
 
 impl Edit {
-    /// `text` in the place of `span`.
+    /// Creates an edit that replaces the text at `span`.
     pub fn replace(span: Span, text: impl Into<String>) -> Self {
         let text = text.into();
         Edit { span, text }
     }
 
-    /// `text` before the byte at `at`.
+    /// Creates an edit that inserts a text before the byte at `at`.
     pub fn insert(at: usize, text: impl Into<String>) -> Self {
         Edit::replace(Span::new(at, at), text)
     }

@@ -1,4 +1,4 @@
-//! Loading: from the bytes of a file to a program, or to all that is wrong with it. The only maker of a [`Program`].
+//! Loading: from the bytes of a file to a [`Program`] or to its errors. Nothing else makes a [`Program`].
 //!
 //! Lints belong in the crate `tip-lint`.
 
@@ -22,7 +22,7 @@ use crate::syntax::{Module, StatementKind, VariableKind};
 pub struct Options {
     /// The robot.
     pub robot: Robot,
-    /// The version that line 1 must name; without one, any edition.
+    /// The version that line 1 must name; `None` for any edition.
     pub tip_version: Option<f64>,
     /// The encoding of the file.
     pub encoding: Encoding,
@@ -36,15 +36,15 @@ pub struct Loaded {
     pub source: Source,
     /// The statements, as far as the text could be read.
     pub module: Module,
-    /// Names in the program and their locations; as far as it is understood.
+    /// The names of the program and their locations, as far as they could be resolved.
     pub symbols: Symbols,
     /// The program, unless there is an error among the diagnostics.
     pub program: Option<Program>,
-    /// The robot that the program was checked for; none if it is no program.
+    /// The robot that the program was checked for; `None` if the file was not read as a program.
     pub robot: Option<Robot>,
-    /// The diagnostics, in order of their locations: no more than [`MAX_DIAGNOSTICS`], of many the first errors.
+    /// The diagnostics, in order of their locations: at most [`MAX_DIAGNOSTICS`], the first errors before any warning.
     pub diagnostics: Vec<Diagnostic>,
-    /// The diagnostics beyond that.
+    /// The numbers of further diagnostics.
     pub omitted: Omitted,
 }
 
@@ -68,7 +68,7 @@ impl Loaded {
         diagnostics.filter(|one| one.level() == Level::Error)
     }
 
-    /// Takes diagnostics in, in the order of their locations.
+    /// Adds diagnostics, and keeps all in the order of their locations.
     pub fn report(&mut self, found: Diagnostics) {
         let mut all = Diagnostics::from(std::mem::take(&mut self.diagnostics));
         all.append(found);
@@ -78,14 +78,14 @@ impl Loaded {
     }
 }
 
-/// Reads, checks and lowers a program. `name` is how diagnostics call the file.
+/// Reads, checks and lowers a program. `name` is the file's name in diagnostics.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
     loaded.report(found);
     loaded
 }
 
-/// Reads, checks and lowers a program without an analysis of it. The diagnostics are separate, and in no order.
+/// Reads, checks and lowers a program without analysing it. The diagnostics are separate, and in no particular order.
 pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Diagnostics) {
     let Parsed {
         source,
@@ -102,7 +102,7 @@ pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Diagnost
         if module.edition.is_strict()
             && let Some(program) = &program
         {
-            refuse_ways(&source, &module, &symbols, program, &mut diagnostics);
+            refuse_paths(&source, &module, &symbols, program, &mut diagnostics);
         }
         (
             symbols,
@@ -131,7 +131,7 @@ pub struct Parsed {
     pub source: Source,
     /// The statements, as far as the text could be read.
     pub module: Module,
-    /// True if the file is text, of the version that is asked for.
+    /// True if the file is text and line 1 names an accepted version.
     pub is_program: bool,
     /// The diagnostics of the parser.
     pub diagnostics: Diagnostics,
@@ -148,17 +148,17 @@ impl Parsed {
     }
 }
 
-/// Reports what no way through a program allows: a read without a value, and running into a SUBROUTINE or THREAD.
-fn refuse_ways(
+/// Reports reads that find no value on any path, and SUBROUTINEs and THREADs that a path runs into.
+fn refuse_paths(
     source: &Source,
     module: &Module,
     symbols: &Symbols,
     program: &Program,
     found: &mut Diagnostics,
 ) {
-    let ways = Paths::of(program);
+    let paths = Paths::of(program);
     let statement = |step| Some(&module.statements[module.statement_of(step)?]);
-    for lack in &ways.no_value {
+    for lack in &paths.no_value {
         let variable = &program.variables()[program.variable_of(lack.scalar)];
         let Some(statement) = statement(lack.step) else {
             continue;
@@ -177,7 +177,7 @@ fn refuse_ways(
         let fault = Diagnostic::new(Code::NeverAssigned, location, reason);
         found.push(fault.help(Naming::AssignBefore { assign }));
     }
-    for step in ways.entered {
+    for step in paths.entered {
         if let Some(statement) = statement(step) {
             let reason = match statement.kind {
                 StatementKind::Thread { .. } => Structuring::RunsIntoThread,
@@ -216,7 +216,7 @@ pub fn check_module(source: &Source, module: &Module, robot: Robot) -> Vec<Diagn
         .0
 }
 
-/// Makes the program of a module in which nothing was found wrong; nothing else makes one.
+/// Makes the program of a module without errors. Nothing else makes one.
 fn lower(source: &Source, module: &Module, resolved: ResolvedModule<'_>, robot: Robot) -> Program {
     let ResolvedModule {
         variables,
@@ -268,10 +268,10 @@ fn lower(source: &Source, module: &Module, resolved: ResolvedModule<'_>, robot: 
     }
 }
 
-/// Takes what a module is resolved to, unless there is an error in it.
+/// Takes the resolved module, unless it has an error.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
     judge(checked.found.iter_mut(), edition);
-    // A constant that fails wherever it runs leaves the program its ways.
+    // A constant without a result does not change the flow, so the paths can still be judged.
     let of_domain = checked.found.iter().filter(|one| one.code == Code::Domain);
     match checked.found.errors(edition) > of_domain.count() {
         true => None,
@@ -279,8 +279,8 @@ fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModu
     }
 }
 
-/// Puts diagnostics in the order of their locations, judged by the rules of an edition. Of too many the last ones are omitted,
-/// warnings before errors.
+/// Sorts diagnostics by their locations, with the severities of an edition. If there are too many, the last ones are
+/// omitted, warnings before errors.
 fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
     let (mut diagnostics, mut omitted) = found.into_parts();
     judge(&mut diagnostics, edition);
@@ -300,7 +300,7 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
     (diagnostics, omitted)
 }
 
-/// Names the encoding of a file that the language does not know, where something in it cannot be read.
+/// Replaces the help about bytes that cannot be read, if the file seems to be in an encoding that the language lacks.
 fn name_encoding(diagnostics: &mut Diagnostics, bytes: &[u8]) {
     let mut unreadable = diagnostics.iter_mut().filter(|one| {
         matches!(
@@ -316,7 +316,7 @@ fn name_encoding(diagnostics: &mut Diagnostics, bytes: &[u8]) {
     }
 }
 
-/// Judges diagnostics by the rules of an edition.
+/// Sets the edition of diagnostics, and the codes that it has for them.
 pub fn judge<'d>(diagnostics: impl IntoIterator<Item = &'d mut Diagnostic>, edition: Edition) {
     for diagnostic in diagnostics {
         diagnostic.edition = edition;

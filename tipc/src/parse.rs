@@ -1,6 +1,7 @@
-//! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
+//! Parser from lines to statements. It reports every bad line and reads on. It checks the form, not the meaning.
 //!
-//! Each file of a statement begins with its form. What stands there instead is the matter of `recover`.
+//! The file of each statement begins with its form. `recover` words the diagnostic of a statement that has another
+//! form.
 
 mod condition;
 mod control;
@@ -29,7 +30,7 @@ use crate::source::{Line, Source, Span, first_beyond};
 use crate::suggest::{is_near, nearest};
 use crate::syntax::{Module, Shape, Statement, StatementKind, StepId};
 
-/// The most bytes that a line may have (T.I.P. 3.1 §3).
+/// Maximum length of a line, bytes (T.I.P. 3.1 §3).
 pub const LINE_LIMIT: usize = 1023;
 
 /// Parses a source, whose line 1 must name version `tip_version` of the language; without one, any edition.
@@ -72,14 +73,14 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
     None
 }
 
-/// End of a piece of text.
+/// The place where reading goes on after a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flow {
-    /// The program goes on.
+    /// After the piece.
     Continue,
-    /// The rest of the line does not count.
+    /// On the next line.
     NextLine,
-    /// END: the rest of the file does not count.
+    /// Nowhere: the piece was END, which ends the program.
     End,
 }
 
@@ -91,15 +92,15 @@ struct Parser<'a> {
     step: StepId,
     /// The current statement's tokens; kept to use its memory again.
     tokens: Vec<Token>,
-    /// End mark of the comment of another language that has begun.
+    /// The mark that ends the open comment of another language.
     in_comment: Option<&'static str>,
-    /// The braces that are open, which are reported: whether each begins a block.
+    /// True for each open brace that begins a block. The braces are reported.
     braces: Vec<bool>,
     /// Names with a `-`, as written in declarations, which are reported.
     hyphened: Vec<String>,
     /// True if lines have numbers, which is reported.
     is_numbered: bool,
-    /// The last line on which the rest of an unknown statement was passed over.
+    /// The last line with an unknown statement whose rest was skipped.
     unknown_line: u32,
     /// True if a text on this line is too long, which is reported.
     is_text_too_long: bool,
@@ -150,7 +151,7 @@ impl Parser<'_> {
                 return;
             }
         }
-        // A comment of another language that never ends has swallowed it.
+        // END is inside a comment of another language that never ends, which is reported.
         if self.in_comment.is_none() && !self.ends_with_number() {
             self.report_missing_end();
         }
@@ -183,8 +184,8 @@ impl Parser<'_> {
         });
     }
 
-    /// Reads the unknown word at the end of the text as the END that is missing: `EDN`, `STOP`. Returns true if that
-    /// is reported.
+    /// Reads an unknown word at the end of the text as the missing END, such as `EDN` or `STOP`. Returns true if it
+    /// reports that, as it does for a word near to END.
     fn take_last_word_as_end(&mut self, location: Span) -> bool {
         let Some(last) = self.module.statements.last() else {
             return false;
@@ -248,7 +249,7 @@ impl Parser<'_> {
         self.module.statements.push(statement);
     }
 
-    /// `span` without the characters at its ends that `drop` names.
+    /// Returns `span` without the characters at its ends for which `drop` returns true.
     fn trim(&self, span: Span, drop: impl Fn(char) -> bool) -> Span {
         let text = self.source.slice(span);
         let kept = text.trim_end_matches(&drop);

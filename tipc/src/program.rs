@@ -1,4 +1,4 @@
-//! A program, fully resolved: what every back end starts from. Only `load` makes one.
+//! A fully resolved program, the input of every back end. Only `load` makes one.
 
 pub use crate::language::functions::Axis;
 pub use crate::syntax::{Arithmetic, LabelKind, Relation, StepId, VariableKind};
@@ -303,14 +303,14 @@ pub enum StructExpression {
     Rotate {
         /// The axis.
         axis: Axis,
-        /// Turned variable.
+        /// The POS that is rotated.
         operand: StructOperand,
-        /// By how many degrees.
+        /// The angle, deg.
         angle: Operand,
     },
 }
 
-/// Action of a step. Next steps are resolved; where none is named it is the following one.
+/// Action of a step. Jumps hold their target step; other actions go on with the following step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Nothing: a label, REM, ENDIF, REPEAT, SUBROUTINE or THREAD.
@@ -319,7 +319,7 @@ pub enum Action {
     SetScalar {
         /// The left side.
         target: Scalar,
-        /// `x op= rhs`: how the right side meets the old value.
+        /// The operation `op` of `x op= rhs`; `None` for `=`.
         update: Option<Arithmetic>,
         /// The right side.
         value: ScalarExpression,
@@ -328,43 +328,43 @@ pub enum Action {
     SetStruct {
         /// The left side.
         target: VariableId,
-        /// `x op= rhs`: how the right side meets the old value, member by member.
+        /// The operation `op` of `x op= rhs`, member by member; `None` for `=`.
         update: Option<Arithmetic>,
         /// The right side.
         value: StructExpression,
     },
-    /// IF … THEN: false leads to `otherwise`, "not taken".
+    /// IF … THEN: if false, the next step is `otherwise`, reached "not taken".
     If {
         /// The condition.
         condition: Condition,
         /// The matching ELSEIF, ELSE or ENDIF.
         otherwise: StepId,
     },
-    /// ELSEIF: as IF when reached "not taken", else on to `otherwise`, "taken".
+    /// ELSEIF: acts as IF when reached "not taken"; else the next step is `otherwise`, reached "taken".
     ElseIf {
         /// The condition.
         condition: Condition,
         /// The next ELSEIF, ELSE or ENDIF.
         otherwise: StepId,
     },
-    /// ELSE: "not taken" falls through, "taken" leads to `end`.
+    /// ELSE: goes on with the following step when reached "not taken", else with `end`.
     Else {
         /// The ENDIF.
         end: StepId,
     },
-    /// WHILE: false leads to `exit`.
+    /// WHILE: if false, the next step is `exit`.
     While {
         /// The condition.
         condition: Condition,
         /// The step after WEND.
         exit: StepId,
     },
-    /// WEND and GOTO: on to `to`.
+    /// WEND and GOTO.
     Goto {
         /// The step to run next.
         to: StepId,
     },
-    /// UNTIL: false leads back.
+    /// UNTIL: if false, the next step is `back`.
     Until {
         /// The condition.
         condition: Condition,
@@ -384,7 +384,7 @@ pub enum Action {
         /// The step after NEXT.
         exit: StepId,
     },
-    /// NEXT; limit and increment are FOR's, read again.
+    /// NEXT: reads limit and increment of its FOR again.
     Next {
         /// The loop variable.
         variable: Scalar,
@@ -502,7 +502,7 @@ impl Action {
         }
     }
 
-    /// Returns true if it does more than decide what runs next.
+    /// Returns true if it has an effect besides the choice of the next step.
     pub fn acts(&self) -> bool {
         match self {
             Action::SetScalar { .. }

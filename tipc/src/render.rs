@@ -17,7 +17,7 @@ use crate::source::Source;
 use std::fmt::Display;
 use tip_runtime::printable::Printable;
 
-/// The most bytes of a line that are shown.
+/// Maximum number of bytes of a line that are shown.
 const MAX_SHOWN_BYTES: usize = 4096;
 
 /// Returns the part of a line that is shown.
@@ -34,7 +34,7 @@ fn printable(text: impl Display) -> String {
     Printable::line(text).to_string()
 }
 
-/// The most other locations that are listed.
+/// Maximum number of other locations that are listed.
 const LOCATIONS: usize = 8;
 
 /// The blanks that stand for a tab.
@@ -92,8 +92,8 @@ fn width(text: &str) -> usize {
     typed(text).chars().map(columns).sum()
 }
 
-/// `FILE:LINE:COLUMN: error[CODE]: REASON (TIP_ERR:<message>)`, or `FILE:LINE:COLUMN: warning[CODE]: <message>`; no line end,
-/// whatever the file is called: what could act on a terminal is an escape.
+/// Returns `FILE:LINE:COLUMN: error[CODE]: REASON (TIP_ERR:<message>)` or `FILE:LINE:COLUMN: warning[CODE]: <message>`
+/// without line end. Characters of the file's name that could act on a terminal are escaped.
 pub fn short(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
     let (level, code) = (diagnostic.level(), diagnostic.id());
@@ -107,8 +107,8 @@ pub fn short(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     Printable::line(text).to_string()
 }
 
-/// `FILE:LINE:COLUMN: error: TIP_ERR:<message> (<kind>)`, or `FILE:LINE:COLUMN: warning: <message>`, in English and without line
-/// end (T.I.P. 3.1 §9); WARNING.LOG is made of such lines.
+/// Returns `FILE:LINE:COLUMN: error: TIP_ERR:<message> (<kind>)` or `FILE:LINE:COLUMN: warning: <message>`, in English
+/// and without line end (T.I.P. 3.1 §9). WARNING.LOG consists of such lines.
 pub fn classical(source: &Source, diagnostic: &Diagnostic) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
     let level = diagnostic.level().name();

@@ -192,7 +192,7 @@ impl Robot {
     }
 }
 
-/// `first…last`, or the one that both are.
+/// Returns `first…last`, or one name if both are equal.
 fn span(first: Target, last: Target) -> String {
     match first == last {
         true => first.to_string(),

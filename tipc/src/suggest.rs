@@ -26,7 +26,7 @@ pub(crate) fn nearest_label<'a>(
     })
 }
 
-/// Returns the candidate nearest to `word`, which may differ in some letters `more` than others.
+/// Returns the candidate nearest to `word`. It may differ in `more` letters than usual.
 fn nearest_of<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
@@ -37,7 +37,7 @@ fn nearest_of<'a>(
     if let Some(alike) = alike.next() {
         return Some(alike);
     }
-    // Of one or two letters nearly every other name is near.
+    // Nearly every short name is near to a word of one or two letters.
     if word.len() < 3 || word.len() > MAX_WORD {
         return None;
     }
@@ -85,7 +85,7 @@ mod tests {
         assert_eq!(nearest("B", ["A", "C"]), None);
         assert_eq!(nearest("N2", ["N1"]), None);
         assert_eq!(nearest("N12", ["N11"]), Some("N11"));
-        // What looks alike may be as short as it likes.
+        // Names that look alike are suggested at any length.
         assert_eq!(nearest("LI", ["N1", "L1"]), Some("L1"));
         assert_eq!(nearest("FL", ["F1"]), Some("F1"));
         assert_eq!(nearest("O", ["0"]), Some("0"));

@@ -60,7 +60,7 @@ pub struct Use {
 /// Access of a statement to what it names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
-    /// Defines it; a second time, which is refused.
+    /// Defines it. A second definition is refused.
     Define,
     /// Reads it.
     Read,
@@ -68,7 +68,7 @@ pub enum Access {
     Assign,
     /// Assigns and reads it: `A += 1`, or FOR.
     Update,
-    /// Assigns and reads what its FOR counts: NEXT.
+    /// NEXT: assigns and reads the variable of its FOR.
     Count,
     /// GOTO leads there.
     Jump,
@@ -78,7 +78,7 @@ pub enum Access {
     Start,
     /// STOP_THREAD or WAIT_THREAD names it.
     Control,
-    /// Nobody knows: something is wrong with the statement.
+    /// Unknown, since the statement is wrong.
     Unclear,
 }
 
@@ -110,9 +110,9 @@ impl Symbols {
         Symbols { definitions, uses }
     }
 
-    /// Returns the variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them;
-    /// then the labels, as [`Program::labels`](crate::program::Program::labels) has them, then the constants. Of several of one name only
-    /// the first is here; but each LOOP is a label of its own.
+    /// Returns the variables in the order of [`Program::variables`](crate::program::Program::variables), `VAR_KEY`
+    /// first; then the labels in the order of [`Program::labels`](crate::program::Program::labels), then the constants.
+    /// Only the first of several definitions of a name is included, but each LOOP is a label of its own.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
     }
@@ -161,7 +161,7 @@ impl Symbols {
     ) -> Span {
         let named = self.within(statement).iter();
         let named = named.filter(|it| it.definition == DefinitionId::of_variable(variable));
-        // What is updated is read last.
+        // An updated variable is read after the operands of the right side.
         let first = named.clone().filter(|it| it.access == Access::Read);
         let last = named.filter(|it| it.access == Access::Update);
         let operands: Vec<Span> = first.chain(last).map(|it| it.operand(source)).collect();

@@ -1,4 +1,4 @@
-//! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4); SLEEP.
+//! The flags INPOS and NEAR, the commands that wait for them (T.I.P. 3.1 §6-2, §7-4), and SLEEP.
 
 use super::drive::distance;
 use super::leg::LegState;
@@ -83,7 +83,7 @@ impl<const J: usize> LegState<J> {
     /// Returns true if the leg has arrived. Joints under angle control, and a third joint under
     /// position control, decide; otherwise the foot.
     fn arrived(&self, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
-        // A point that decides about any joint decides about the first.
+        // A controlled point always moves the first joint.
         let point = self.drive.point_of_joint(0);
         let point = point.and_then(|point| self.point_arrived(point, inverse, tolerance));
         let (first, tracks) = self.drive.own_joints();
@@ -92,7 +92,7 @@ impl<const J: usize> LegState<J> {
         all(point.into_iter().chain(joints))
     }
 
-    /// Returns true if a joint has arrived. One that serves a point has arrived when the point has.
+    /// Returns true if a joint has arrived. A joint that moves a controlled point has arrived when the point has.
     fn joint_arrived(&self, m: u8, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         let at = targets::index(m);
         let point = match self.drive.point_of_joint(at) {
@@ -131,8 +131,7 @@ impl<const J: usize> LegState<J> {
     }
 }
 
-/// Returns true if all parts are true, looking no farther than the first that is not; `None`
-/// without parts.
+/// Returns true if all parts are true; `None` without parts. It stops at the first part that is false.
 fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
     let mut all = None;
     for part in parts {
@@ -155,7 +154,7 @@ impl<const J: usize> ControllerView<J> {
         let left = match (*sleep, command.values) {
             (left, _) if left > 0.0 => left,
             (_, [time]) if time.number() >= 0.0 => {
-                // The subtrahend forgives the rounding of a division that should be exact.
+                // The subtrahend compensates the rounding of a division that should be exact.
                 libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
             }
             _ => return Err(Fault::Domain),

@@ -76,7 +76,7 @@ impl<const J: usize> ControllerView<J> {
         Ok(search)
     }
 
-    /// Legs that a target names begin to search, no others.
+    /// Begins the search of the legs that a target names, and of no others.
     ///
     /// # Errors
     /// `InvalidMode` for a leg with a locked joint, or while another thread runs a command of
@@ -134,11 +134,11 @@ const PUSHING_JOINTS: usize = 2;
 /// Distance that such a joint keeps from its limit, deg.
 const LIMIT_MARGIN: f64 = 1.0;
 
-/// Number of cycles by which it is stopped before it would be there.
+/// Number of cycles before that place at which it is stopped.
 const LOOKAHEAD_CYCLES: f64 = 2.0;
 
 impl<const J: usize> ControllerView<J> {
-    /// Starts a search, or goes on with it.
+    /// Starts or continues a search.
     pub(super) fn detect_touch(
         &mut self,
         command: &Command<'_>,
@@ -180,7 +180,7 @@ impl<const J: usize> ControllerView<J> {
         Ok(Poll::Pending)
     }
 
-    /// Lets every finger that searched hold the angles that are measured.
+    /// Holds every finger that searched at its measured angles.
     fn hold_where_stopped(&mut self) {
         for leg in &mut self.legs {
             if leg.search.is_some() {
@@ -255,7 +255,7 @@ impl<const J: usize> ControllerView<J> {
         Ok(())
     }
 
-    /// Draws a fingertip by a spring to the middle of the palm, at the height that it has.
+    /// Pulls a fingertip by a spring to the middle of the palm, at its present height.
     fn draw_inward(&mut self, n: u8) -> Result<(), Fault> {
         let from = self.measured_point(n, LegPoint::Tip)?;
         let target = [0.0, from[1], from[2]];
@@ -317,8 +317,7 @@ fn held(angle: f64) -> SetPoint<1> {
     })
 }
 
-/// Returns the type that a search is given, truncated; 0, which is none, for what is below 1 or no
-/// number.
+/// Returns the type of a search, truncated; 0, which is no type, for a value below 1 or a NaN.
 fn kind(command: &Command<'_>) -> Result<u8, Fault> {
     match command.values {
         [value] => Ok(value.number() as u8),

@@ -21,27 +21,26 @@ pub(super) const THIRD: usize = 2;
 /// The set points that a leg's joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drive<const J: usize> {
-    /// Each joint for itself: free (it stays where it is), at an angle, at an angular velocity, or
-    /// by torque.
+    /// One for each joint: free (it stays where it is), at an angle, at an angular velocity, or by torque.
     Joints([SetPoint<1>; J]),
-    /// The foot, for all joints: at a position, at a velocity, or by force.
+    /// The foot's, which moves all joints: at a position, at a velocity, or by force.
     Foot(SetPoint<3>),
-    /// The third joint's position, for the joints before it; it and those after it go for
-    /// themselves.
+    /// The third joint's position, which moves the joints before it. The third joint and those after it have their own
+    /// set points.
     Third(SetPoint<3>, [SetPoint<1>; J]),
 }
 
-/// A leg's joint commands and what makes them.
+/// A leg's joint commands, and the set points from which they follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LegDrive<const J: usize> {
-    /// The angles commanded, or where torques led, deg.
+    /// The commanded angles, or those to which torques have led, deg.
     pub(super) angles: [f64; J],
     /// Rates at which the angles changed in the last sampling time, deg/s.
     turns: [f64; J],
     /// The torques commanded in place of angles.
     torques: [Option<f64>; J],
     pub(super) drive: Drive<J>,
-    /// The stiffness of the spring at a point, where it is not that of the parameter, N/mm.
+    /// The stiffness of the spring at a point, N/mm; `None` if it is that of the parameter.
     pub(super) own_stiffness: Option<[f64; 3]>,
     /// Motion of redundant joints on the path of a point.
     pub(super) redundancy: Redundancy<J>,
@@ -91,8 +90,7 @@ impl<const J: usize> LegDrive<J> {
         self.torques.iter().any(Option::is_some)
     }
 
-    /// Takes over measured angles: joints that were commanded a torque are where it led them, or
-    /// are to come back to the working limit that they overshot, as `stays` says.
+    /// Sets the commanded angles of joints under torque to `stays`: the measured angles, limited to the working limits.
     pub(super) fn follow(&mut self, stays: &[f64; J]) {
         let states = self.torques.iter().zip(stays);
         for (angle, (torque, stays)) in self.angles.iter_mut().zip(states) {
@@ -102,8 +100,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Lets the set point of the point that decides, and those of the joints before it that it took
-    /// over from the foot, be at their targets at once.
+    /// Moves the set point of the controlled point to its target immediately. So do the third joint and those after it, if
+    /// the third joint is the point and the foot was controlled before (`from_foot`).
     pub(super) fn jump_to_point(&mut self, from_foot: bool) {
         match &mut self.drive {
             Drive::Joints(_) => {}
@@ -117,8 +115,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Puts each joint under its own control. If the command of the `count` joints from `first` is
-    /// `direct`, all that it sets are at their targets at once.
+    /// Puts each joint under its own control. If the command of the `count` joints from `first` is `direct`, the set
+    /// points of these joints, and of those that moved a controlled point, are at their targets immediately.
     pub(super) fn take_joints(
         &mut self,
         mut tracks: [SetPoint<1>; J],
@@ -135,7 +133,7 @@ impl<const J: usize> LegDrive<J> {
         self.drive = Drive::Joints(tracks);
     }
 
-    /// Returns the number of joints, from the first, that serve a point.
+    /// Returns the number of joints, from the first, that move the controlled point.
     pub(super) fn served(&self) -> usize {
         match self.drive {
             Drive::Joints(_) => 0,
@@ -171,7 +169,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Returns the set point that decides about joint `m`'s position, counted from 0, if one does.
+    /// Returns the set point of the controlled point, if it moves joint `m`, counted from 0.
     pub(super) fn point_of_joint(&self, m: usize) -> Option<(LegPoint, &SetPoint<3>)> {
         match &self.drive {
             Drive::Joints(_) => None,
@@ -181,7 +179,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Returns the set point of a point of the leg, if that is what decides.
+    /// Returns the set point of a point of the leg, if that is controlled.
     pub(super) fn own_point(&self, point: LegPoint) -> Option<&SetPoint<3>> {
         match (&self.drive, point) {
             (Drive::Foot(foot), LegPoint::Tip) => Some(foot),
@@ -190,7 +188,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Returns the set points of the joints that go for themselves: the first one's number, from 0.
+    /// Returns the set points of the joints under their own control, and the number of the first one, from 0.
     pub(super) fn own_joints(&self) -> (usize, &[SetPoint<1>]) {
         match &self.drive {
             Drive::Joints(joints) => (0, joints),
@@ -199,8 +197,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Returns a point's set point, in the motion that the leg is commanded now. Where torques
-    /// decide, the leg starts from where it is.
+    /// Returns a point's set point, with the position and velocity that the leg is commanded now. Under torque control
+    /// it starts from the measured place.
     pub(super) fn point(&self, point: LegPoint, leg: &Leg<J>, inverse: Inverse) -> SetPoint<3> {
         if let Some(own) = self.own_point(point)
             && !own.goal().is_soft()
@@ -216,8 +214,8 @@ impl<const J: usize> LegDrive<J> {
         )
     }
 
-    /// Returns the same as [`point`](Self::point), but a spring that pulls at the point already stays strained,
-    /// unless its stiffness is to change.
+    /// Returns the same as [`point`](Self::point), but keeps the tension of a spring that already pulls at the point,
+    /// unless its stiffness changes.
     pub(super) fn strained_point(
         &self,
         point: LegPoint,
@@ -234,8 +232,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Puts a point under control. Joints after it keep their modes; those that served another
-    /// point hold the angles `stays`.
+    /// Puts a point under control. Joints after it keep their modes; those that moved another point hold the angles
+    /// `stays`.
     pub(super) fn take_point(
         &mut self,
         point: LegPoint,
@@ -252,8 +250,8 @@ impl<const J: usize> LegDrive<J> {
         };
     }
 
-    /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
-    /// served a point are to stay at the angles `stays`.
+    /// Returns the joints' set points, with the velocities that the leg is commanded now. Joints that moved a
+    /// controlled point stay at the angles `stays`.
     pub(super) fn joints(
         &self,
         leg: &Leg<J>,
@@ -280,7 +278,7 @@ impl<const J: usize> LegDrive<J> {
         joints
     }
 
-    /// Returns the rates at which the joints are commanded to turn, deg/s. Torques command none.
+    /// Returns the commanded rates of the joints, deg/s; 0 under torque control.
     fn rates(&self, leg: &Leg<J>, inverse: Inverse) -> [f64; J] {
         let mut rates = match &self.drive {
             Drive::Joints(_) => [0.0; J],

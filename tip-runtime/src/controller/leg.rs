@@ -1,4 +1,4 @@
-//! Everything that the controller keeps of one leg.
+//! The state of one leg in the controller.
 
 use super::drive::{CycleParams, Drive, LegDrive, MovingLeg, THIRD};
 use super::native::JointVibration;
@@ -11,10 +11,10 @@ use crate::hardware::JointCommand;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
 use crate::model::{Inverse, Leg, ModelFacts, Point, Range};
 
-/// One leg: what it is, what it is to do, and what it measured.
+/// One leg: its model, its motion and its measurements.
 #[derive(Clone, Copy, Debug)]
 pub struct LegState<const J: usize> {
-    /// The working limits that the robot has.
+    /// The working limits of the robot itself.
     pub(super) own: [Range; J],
     /// The leg with the working limits in force.
     pub(super) model: Leg<J>,
@@ -28,7 +28,7 @@ pub struct LegState<const J: usize> {
     pub(super) rates: [f64; J],
     /// Time since the last cycle that measured the angle, s; 0 if the last one did.
     pub(super) unmeasured: [f64; J],
-    /// Measured, in the robot's torque unit.
+    /// Measured joint torques, in the robot's torque unit.
     pub(super) torques: [f64; J],
     /// Voltage of the sole's pressure sensor, V.
     pub(super) paw: f64,
@@ -57,7 +57,7 @@ impl<const J: usize> LegState<J> {
         }
     }
 
-    /// Moves leg `number` on by one sampling time.
+    /// Advances leg `number` by one sampling time.
     ///
     /// # Errors
     /// The errors of its drive.
@@ -78,7 +78,7 @@ impl<const J: usize> LegState<J> {
         self.drive.advance(&leg, cycle)
     }
 
-    /// Returns the leg where it is measured.
+    /// Returns the leg at its measured angles.
     pub(super) fn chain(&self) -> Chain<J> {
         Chain::new(&self.model, &self.angles)
     }
@@ -89,7 +89,7 @@ impl<const J: usize> LegState<J> {
         Ok(inverse.flat(place))
     }
 
-    /// Returns a point's target, or where the point is if it has none, mm.
+    /// Returns a point's target, or its measured place if it has none, mm.
     pub(super) fn target(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let own = self.drive.own_point(point);
         match own.and_then(|track| track.goal().target()) {
@@ -98,8 +98,8 @@ impl<const J: usize> LegState<J> {
         }
     }
 
-    /// Returns the angles at which its joints stay where they are: those measured, but within the
-    /// working limits. A joint that new limits left outside may stay there.
+    /// Returns the angles at which the joints stay: the measured ones, limited to the working limits. A joint that new
+    /// limits left outside may stay there.
     pub(super) fn stays(&self) -> [f64; J] {
         let mut stays = self.model.within_limits(&self.angles);
         if self.switches.any_outside {
@@ -113,8 +113,8 @@ impl<const J: usize> LegState<J> {
         stays
     }
 
-    /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
-    /// served a point are to stay where they are measured.
+    /// Returns the joints' set points, with the velocities that the leg is commanded now. Joints that moved a
+    /// controlled point stay where they are measured.
     pub(super) fn joints(&self, inverse: Inverse) -> [SetPoint<1>; J] {
         self.drive.joints(&self.model, &self.stays(), inverse)
     }
@@ -140,15 +140,15 @@ impl<const J: usize> LegState<J> {
 /// The switches of one leg.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct LegSwitches<const J: usize> {
-    /// DIRECT holds for commands that name the foot.
+    /// True if DIRECT holds for commands that name the foot.
     pub(super) direct_foot: bool,
-    /// DIRECT holds for commands that name the joint.
+    /// True if DIRECT holds for commands that name the joint.
     pub(super) direct: [bool; J],
-    /// Mode and target of the joint cannot be changed.
+    /// True if mode and target of the joint cannot be changed.
     pub(super) locked: [bool; J],
-    /// SET_LIMIT left the joint outside its limits, and it has not been inside since.
+    /// True for a joint that SET_LIMIT left outside its limits and that has not been inside since.
     pub(super) outside: [bool; J],
-    /// At least one joint is outside.
+    /// True if a joint is outside.
     pub(super) any_outside: bool,
 }
 
@@ -174,7 +174,7 @@ impl<const J: usize> LegSwitches<J> {
 }
 
 impl<const J: usize> LegState<J> {
-    /// Puts back switches and working limits.
+    /// Resets switches and working limits.
     pub(super) fn reset_switches(&mut self) {
         self.switches = LegSwitches::STANDARD;
         for (joint, own) in self.model.joints.iter_mut().zip(&self.own) {
@@ -210,7 +210,7 @@ impl<const J: usize> LegState<J> {
         is_outside && own.is_some_and(|own| own.widened(ROUNDING).contains(angle))
     }
 
-    /// Takes note of joints that are inside their new limits now.
+    /// Updates the joints that are inside their new limits now.
     pub(super) fn note_inside(&mut self) {
         let joints = self.model.joints.iter().zip(&self.angles);
         for (outside, (joint, angle)) in self.switches.outside.iter_mut().zip(joints) {
@@ -254,15 +254,15 @@ impl<const J: usize> LegState<J> {
         }
     }
 
-    /// Returns true if a joint that serves a point is locked, so that no joint of the leg can go for
-    /// itself.
+    /// Returns true if a joint that moves a controlled point is locked, so that no joint of the leg can get its own
+    /// control.
     pub(super) fn locks_served(&self) -> bool {
         self.locks_first(self.drive.served())
     }
 
     /// Puts the joints that are not locked under the control of `tracks`.
     pub(super) fn soften_unlocked(&mut self, tracks: &[SetPoint<1>; J], direct: bool) {
-        // Before this, no locked joint served a point.
+        // No locked joint moved a controlled point before.
         let mut joints = *tracks;
         let (first, own) = self.drive.own_joints();
         let own = (first..).zip(own);

@@ -26,7 +26,7 @@ impl<const J: usize> ControllerView<J> {
         let limits = leg.params.foot.limits();
         let stop = base == Base::Target && is_zero(values);
         let direct = leg.is_direct(command.target);
-        // Coming to rest here keeps the braking that the present motion allows.
+        // A stop brakes as hard as the present motion may.
         let hs = command.hs || (stop && moving.goal().is_hs());
         let mut target = if stop {
             let rest = if direct {
@@ -70,8 +70,8 @@ impl<const J: usize> ControllerView<J> {
         Ok(())
     }
 
-    /// Puts a point of leg `n` under control for a command, whose set points are at their targets at
-    /// once if it is `direct`.
+    /// Puts a point of leg `n` under control for a command. If that is `direct`, its set points are at their targets
+    /// immediately.
     pub(super) fn take_commanded_point(
         &mut self,
         n: u8,
@@ -219,31 +219,31 @@ impl<const J: usize> ControllerView<J> {
         Ok(())
     }
 
-    /// Puts a foot under position control at `target`, wherever its leg is now.
+    /// Puts a foot under position control at `target`, mm, from any state of its leg.
     pub(super) fn send_foot(&mut self, n: u8, target: Point, hs: bool) -> Result<(), Fault> {
         let foot = self.foot_track(n)?.towards(Goal::Point { target, hs });
         self.take_point(n, LegPoint::Tip, foot)
     }
 
-    /// Returns a foot's set point, in the motion that its leg is commanded now.
+    /// Returns a foot's set point, with the velocity that its leg is commanded now.
     pub(super) fn foot_track(&self, n: u8) -> Result<SetPoint<3>, Fault> {
         let leg = self.leg(n)?;
         let inverse = self.robot.inverse;
         Ok(leg.drive.point(LegPoint::Tip, &leg.model, inverse))
     }
 
-    /// Returns the place where a foot comes to rest when it brakes now.
+    /// Returns the place at which a foot comes to rest if it brakes now, mm.
     pub(super) fn foot_rest_point(&self, n: u8) -> Result<Point, Fault> {
         let limits = self.leg(n)?.params.foot.limits();
         Ok(self.foot_track(n)?.rest_point(limits))
     }
 
-    /// Returns a point's target, or where the point is if it has none.
+    /// Returns a point's target, or its measured place if it has none, mm.
     pub(super) fn point_target(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.target(point, self.robot.inverse)
     }
 
-    /// Returns the place of a point of leg `n`.
+    /// Returns the measured place of a point of leg `n`, mm.
     pub(super) fn measured_point(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.place(point, self.robot.inverse)
     }

@@ -1,5 +1,5 @@
-//! Queries and changes that only native code makes; the vibration that it adds to the commands of joints (active
-//! friction control, T.I.P. 3.1 §8-2-2).
+//! Functions for native code, and the vibrations that it adds to joint commands (active friction control, T.I.P. 3.1
+//! §8-2-2).
 
 use super::drive::{bounded, reach};
 use super::sensing::members;
@@ -15,8 +15,8 @@ use crate::vibration::{Vibration, Waveform};
 use core::f64::consts::TAU;
 
 impl<const J: usize> ControllerView<J> {
-    /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring of its own stiffness (N/mm
-    /// along each axis), whose set point is there immediately. The rest is as COMPLIANCE_POSITION has it.
+    /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring with its own stiffness (N/mm along each
+    /// axis), whose set point is there immediately. All else is as in COMPLIANCE_POSITION.
     ///
     /// # Errors
     /// `Domain` for another target, a place that is not finite, a stiffness that is not finite or
@@ -36,7 +36,8 @@ impl<const J: usize> ControllerView<J> {
         Ok(())
     }
 
-    /// Returns the torque of each joint of a leg: what it is commanded, or else what it senses.
+    /// Returns the commanded torque of each joint of a leg, or the sensed one if none is commanded, in the robot's
+    /// torque unit.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.
@@ -86,7 +87,7 @@ impl JointVibration {
         phase: 0.0,
     };
 
-    /// Moves on by `dt` seconds; what is held waits at the start of its wave.
+    /// Advances by `dt` seconds. Under a hold it waits at the start of its wave.
     fn advance(&mut self, dt: f64, held: bool) {
         self.phase = match self.vibration {
             Some(vibration) if !held => fraction(self.phase + fraction(vibration.frequency * dt)),
@@ -94,7 +95,7 @@ impl JointVibration {
         };
     }
 
-    /// Returns the present departure, V.
+    /// Returns the present deviation, V.
     fn volts(&self) -> f64 {
         self.vibration.map_or(0.0, |vibration| {
             vibration.amplitude * wave(vibration.waveform, self.phase)
@@ -116,7 +117,7 @@ impl JointVibration {
         let volts = self.volts();
         match command {
             JointCommand::Angle { angle, rate } => JointCommand::Angle {
-                // A departure does not leave the joint's working limits.
+                // A deviation stays within the joint's working limits.
                 angle: joint
                     .limits
                     .including(angle)
@@ -154,8 +155,8 @@ fn fraction(value: f64) -> f64 {
 }
 
 impl<const J: usize> ControllerView<J> {
-    /// Lets a joint vibrate about what it is commanded, or keep still. One that vibrates already goes
-    /// on from where in its wave it is.
+    /// Starts or ends the vibration of a joint about its command. A joint that vibrates already keeps the phase of its
+    /// wave.
     ///
     /// # Errors
     /// `Domain` for a target that is not a joint, a robot that does not vibrate, an amplitude that is
@@ -191,7 +192,7 @@ impl<const J: usize> ControllerView<J> {
         }
     }
 
-    /// Vibrations go on by `dt` seconds.
+    /// Advances the vibrations by `dt` seconds.
     pub(super) fn advance_vibrations(&mut self, dt: f64) {
         for joint_vibration in self.legs.iter_mut().flat_map(|leg| &mut leg.vibrations) {
             joint_vibration.advance(dt, self.hold.is_on());
@@ -199,7 +200,7 @@ impl<const J: usize> ControllerView<J> {
     }
 }
 
-/// Limits a torque so that it does not push a joint on that is at its working limit.
+/// Limits a torque so that it does not push a joint beyond its working limit.
 fn inward(torque: f64, measured: f64, joint: &Joint) -> f64 {
     if measured >= joint.limits.max {
         torque.min(0.0)

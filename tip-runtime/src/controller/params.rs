@@ -14,7 +14,7 @@ pub(super) struct FootParams {
     pub(super) a_max: f64,
     pub(super) just: f64,
     pub(super) near: f64,
-    /// N/mm along each axis, for the foot and the third joint alike.
+    /// Stiffness along each axis, for the foot and the third joint alike, N/mm.
     pub(super) stiffness: [f64; 3],
     /// Largest pull of a spring at the foot, N.
     foot_limit: Option<[f64; 3]>,
@@ -31,9 +31,9 @@ pub(super) struct JointParams {
     pub(super) near: f64,
     /// `TORQUE_MAX`.
     pub(super) torque_max: f64,
-    /// Torque per degree.
+    /// Stiffness, torque per degree.
     pub(super) stiffness: f64,
-    /// The most torque of its spring.
+    /// Maximum torque of its spring.
     pub(super) limit: Option<f64>,
 }
 
@@ -94,7 +94,8 @@ impl JointParams {
         }
     }
 
-    /// Returns the most torque that `joint` is commanded: no more than its motor gives.
+    /// Returns the maximum torque of a command to `joint`, which is at most that of its motor, in the robot's torque
+    /// unit.
     pub(super) const fn most_torque(&self, joint: &Joint, torque_unit: f64) -> f64 {
         self.torque_max.min(joint.torque * torque_unit)
     }
@@ -131,7 +132,7 @@ pub(super) struct Params {
     pub(super) slider: FootParams,
     /// Sampling time, ms.
     pub(super) period: f64,
-    /// EMG_ON: a joint at its working limit is an emergency.
+    /// True under EMG_ON: a joint at its working limit is an emergency.
     pub(super) emg: bool,
 }
 
@@ -212,7 +213,7 @@ fn setting(op: Op) -> Option<(Field, Source)> {
     })
 }
 
-/// Operands of one parameter command, found to lie in their domain.
+/// Checked operands of a parameter command.
 struct Checked<'a> {
     command: &'a Command<'a>,
     source: Source,
@@ -247,7 +248,7 @@ impl<'a> Checked<'a> {
 }
 
 impl<const J: usize> ControllerView<J> {
-    /// Puts back every parameter and switch, as INITIAL_POSTURE and the end of a program do.
+    /// Resets every parameter and switch, as INITIAL_POSTURE and the end of a program do.
     pub(super) fn standardise(&mut self) {
         self.params = Params::standard(&self.robot);
         let standard = LegParams::standard(&self.robot);
@@ -257,7 +258,7 @@ impl<const J: usize> ControllerView<J> {
         }
     }
 
-    /// Carries out a parameter command; `None` if the command is none.
+    /// Runs a parameter command; `None` for another command.
     pub(super) fn set_parameter(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
         if let Some(set) = self.set_spring(command) {
             return Some(set);
@@ -332,7 +333,7 @@ impl<const J: usize> ControllerView<J> {
         Ok(())
     }
 
-    /// Puts V_MAX of every foot to a share of its standard value.
+    /// Sets V_MAX of every foot to a share of its standard value.
     pub(super) fn set_all_v_max(&mut self, share: f64) {
         for leg in &mut self.legs {
             leg.params.foot.v_max = self.robot.standards.v_max * share;
@@ -344,7 +345,7 @@ impl<const J: usize> ControllerView<J> {
 type Axes = [f64; 3];
 
 impl<const J: usize> ControllerView<J> {
-    /// Carries out a command of springs and their limits; `None` if the command is none.
+    /// Runs a command of springs and their limits; `None` for another command.
     fn set_spring(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
         Some(match command.op {
             Op::SetPositionStiffness => self.set_position_stiffness(command),
@@ -429,7 +430,7 @@ impl<const J: usize> ControllerView<J> {
         targets::leg_mut(&mut leg.params.joints, m)
     }
 
-    /// Reads three operands in their domain; z goes unchecked where it does not count.
+    /// Checks three operands; z is not checked if it does not count.
     fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
         let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
         let good = |value: Value| value.number().is_finite() && in_domain(value.number());

@@ -1,4 +1,4 @@
-//! The readings at the start of a cycle with their checks, and what TEACH_ commands measure (T.I.P. 3.1 §7-5).
+//! The readings at the start of a cycle and their checks, and the measurements of TEACH_ commands (T.I.P. 3.1 §7-5).
 
 use super::drive::THIRD;
 use super::{ControllerView, targets};
@@ -8,8 +8,7 @@ use crate::hardware::SensorsView;
 use crate::kinematics::{LegPoint, ROUNDING};
 
 impl<const J: usize> ControllerView<J> {
-    /// Takes in the readings, like [`sense`](super::Controller::sense), for a controller of any
-    /// size.
+    /// Takes the readings, like [`sense`](super::Controller::sense), for a controller of any size.
     pub(crate) fn sense_view(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let read = self.measure(sensors).and(self.check_sensors());
         for leg in &mut self.legs {
@@ -25,7 +24,7 @@ impl<const J: usize> ControllerView<J> {
         self.pending.take().map_or(Ok(()), Err)
     }
 
-    /// Stores the readings; a joint that reads nonsense keeps its last angle.
+    /// Stores the readings. A joint with an invalid reading keeps its last angle.
     fn measure(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let seconds = self.params.period / 1000.0;
         let mut result = Ok(());
@@ -64,7 +63,7 @@ impl<const J: usize> ControllerView<J> {
         result
     }
 
-    /// Torques and the slider's place, on a robot that has them.
+    /// Checks torques and the slider's place, on a robot that has them.
     fn check_sensors(&self) -> Result<(), Fault> {
         if self.robot.forces.is_some() {
             for (n, leg) in (1..).zip(&self.legs) {

@@ -63,8 +63,8 @@ impl Setpoint {
 }
 
 impl<const J: usize> ControllerView<J> {
-    /// Iterates over the aims of every leg, F1 first: its foot, if that is controlled, or else each
-    /// of its joints; then the slider, if there is one.
+    /// Iterates over the set points of every leg, F1 first: that of its foot, if that is controlled, or else those of
+    /// its joints; then that of the slider, if there is one.
     pub fn setpoints(&self) -> impl Iterator<Item = Setpoint> {
         let legs = self.legs.iter().enumerate();
         let legs = legs.flat_map(|(index, leg)| of_leg(targets::number(index), leg));

@@ -1,4 +1,4 @@
-//! Everything that brings the robot to rest (T.I.P. 3.1 §7-1-5, §7-10-3).
+//! Commands and functions that bring the robot to rest (T.I.P. 3.1 §7-1-5, §7-10-3).
 
 use super::ControllerView;
 use super::drive::LegDrive;
@@ -10,9 +10,9 @@ use super::trajectory::SetPoint;
 pub(super) enum Hold {
     /// No hold: motions go on.
     Off,
-    /// ALL_STOP: they brake and wait; modes and targets stay.
+    /// ALL_STOP: motions brake and wait; modes and targets stay.
     On,
-    /// The program is over: they brake, then nothing is controlled any more.
+    /// The program is over: motions brake, then nothing is controlled any more.
     Finishing,
 }
 
@@ -30,7 +30,7 @@ impl<const J: usize> ControllerView<J> {
         }
     }
 
-    /// Holds like [`hold`](Self::hold); returns true if this call is what holds the robot.
+    /// Holds the robot like [`hold`](Self::hold). Returns false if it was held already.
     pub(crate) fn take_hold(&mut self) -> bool {
         let holds = !self.is_held();
         if holds {
@@ -61,8 +61,7 @@ impl<const J: usize> ControllerView<J> {
         self.end_if_finished();
     }
 
-    /// Gives up the command in which a thread stands: targets stay, and the speed and the hold that
-    /// the command set end.
+    /// Cancels the command that a thread is running: targets stay, and the speed and the hold that the command set end.
     pub(crate) fn give_up(&mut self) {
         if let Some(sleep) = self.tasks.sleep() {
             *sleep = 0.0;
@@ -85,10 +84,9 @@ impl<const J: usize> ControllerView<J> {
         self.tasks.give_up();
     }
 
-    /// Stops in an emergency: every joint, and the slider, is to stay where it is measured; nothing
-    /// is controlled. Joints measured outside of the outer limits, or a slider outside of its
-    /// travel, are to stay at the border; a slider that reads nonsense stays where it was commanded
-    /// to be.
+    /// Stops in an emergency: commands every joint and the slider to stay where they are measured, and ends all
+    /// control. A joint that is measured outside of the outer limits, or a slider outside of its travel, is commanded
+    /// to the border. A slider with an invalid reading keeps its command.
     pub fn emergency(&mut self) {
         for leg in &mut self.legs {
             let mut angles = leg.angles;

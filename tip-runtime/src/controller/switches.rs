@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::model::Range;
 
 impl<const J: usize> ControllerView<J> {
-    /// Runs DIRECT and TRAJECTORY. With ALL, what is locked keeps its switch.
+    /// Runs DIRECT and TRAJECTORY. With ALL, locked joints keep their switch.
     pub(super) fn switch_direct(&mut self, target: Target, on: bool) -> Result<(), Fault> {
         self.require_joints(target)?;
         let of_joint = joint_of(target);

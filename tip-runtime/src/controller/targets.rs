@@ -52,7 +52,7 @@ pub(super) fn resolve_from<const N: usize>(
     }
 }
 
-/// Returns the place of leg or joint `n`, counted from 0.
+/// Returns the index of leg or joint `n`, from 0.
 pub(super) fn index(n: u8) -> usize {
     usize::from(n).wrapping_sub(1)
 }
@@ -79,7 +79,7 @@ pub(super) fn number(index: usize) -> u8 {
     u8::try_from(index).map_or(u8::MAX, |index| index.saturating_add(1))
 }
 
-/// Refuses what is locked.
+/// Returns `InvalidMode` if `is_locked`.
 pub(super) fn unlocked(is_locked: bool) -> Result<(), Fault> {
     if is_locked {
         Err(Fault::InvalidMode)

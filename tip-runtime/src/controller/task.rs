@@ -1,5 +1,5 @@
-//! Commands of several cycles and what they keep between them: INITIAL_POSTURE (T.I.P. 3.1 §7-1-7), and STAND_UP and
-//! SIT_DOWN (§7-11-1, §7-11-2), where the feet push the body up or let it down.
+//! Commands of several cycles and their state: INITIAL_POSTURE (T.I.P. 3.1 §7-1-7), and STAND_UP and SIT_DOWN (§7-11-1,
+//! §7-11-2), in which the feet push the body up or let it down.
 
 use super::ControllerView;
 use super::drive::{Drive, Redundancy};
@@ -11,12 +11,12 @@ use crate::kinematics::{Chain, LegPoint};
 use crate::model::Point;
 use crate::program::THREADS;
 
-/// The command in progress, of those of which there is one at a time.
+/// The command in progress. Only one of these commands can run at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Task {
     /// None.
     Idle,
-    /// INITIAL_POSTURE: braking; true if it is what holds the robot.
+    /// INITIAL_POSTURE: it brakes; true if this command holds the robot.
     Posture(bool),
     /// STAND_UP and SIT_DOWN.
     Stand(Stand),
@@ -40,23 +40,23 @@ pub(super) enum Stand {
 pub(super) enum FloorSearch {
     /// One leg after the other goes down.
     DownInTurn,
-    /// All legs go down at once.
+    /// All legs go down together.
     DownTogether,
     /// All legs go up: the body sinks.
     Up,
 }
 
-/// The commands of several cycles in which the main program (0) and threads stand.
+/// The commands of several cycles that the main program (0) and threads are running.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tasks {
-    /// The one that runs a step.
+    /// The thread that runs a step now.
     thread: u8,
     task: Task,
-    /// The one that stands in the task.
+    /// The thread that runs the task.
     owner: u8,
-    /// The one that stands in SPECIAL.
+    /// The thread that runs SPECIAL.
     special: Option<u8>,
-    /// The cycles of SLEEP that are left; 0 for who does not sleep.
+    /// The remaining cycles of SLEEP of each thread; 0 if it does not sleep.
     sleeps: [f64; THREADS + 1],
 }
 
@@ -69,12 +69,12 @@ impl Tasks {
         sleeps: [0.0; THREADS + 1],
     };
 
-    /// Lets the main program (0) or a thread run a step.
+    /// Sets the thread that runs a step; 0 is the main program.
     pub(crate) fn select(&mut self, thread: u8) {
         self.thread = thread;
     }
 
-    /// Returns the task that who runs a step stands in.
+    /// Returns the task of the current thread.
     pub(super) fn current(&self) -> Task {
         if self.owner == self.thread {
             self.task
@@ -83,10 +83,10 @@ impl Tasks {
         }
     }
 
-    /// Checks that a task, or SPECIAL, may begin or go on.
+    /// Checks that the current thread may begin or continue a task or SPECIAL.
     ///
     /// # Errors
-    /// `InvalidMode` while another stands in a task or in SPECIAL.
+    /// `InvalidMode` while another thread runs a task or SPECIAL.
     pub(crate) fn begin(&self) -> Result<(), Fault> {
         let another = self.task != Task::Idle && self.owner != self.thread;
         if another || self.special.is_some_and(|special| special != self.thread) {
@@ -95,12 +95,12 @@ impl Tasks {
         Ok(())
     }
 
-    /// Sets the task of who runs a step.
+    /// Sets the task of the current thread.
     pub(super) fn set(&mut self, task: Task) {
         (self.task, self.owner) = (task, self.thread);
     }
 
-    /// Ends the task or SPECIAL that who runs a step stands in.
+    /// Ends the task or SPECIAL of the current thread.
     pub(super) fn give_up(&mut self) {
         if self.owner == self.thread {
             self.task = Task::Idle;
@@ -108,12 +108,12 @@ impl Tasks {
         self.special = self.special.filter(|special| *special != self.thread);
     }
 
-    /// Notes that who runs a step stands in SPECIAL, or has done it.
+    /// Records that the current thread waits in SPECIAL, or has finished it.
     pub(crate) fn set_special(&mut self, waits: bool) {
         self.special = waits.then_some(self.thread);
     }
 
-    /// Returns the cycles of SLEEP that are left for who runs a step.
+    /// Returns the remaining cycles of SLEEP of the current thread.
     pub(super) fn sleep(&mut self) -> Option<&mut f64> {
         self.sleeps.get_mut(usize::from(self.thread))
     }

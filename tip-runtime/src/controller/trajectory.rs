@@ -1,20 +1,20 @@
 //! Set points that move under limits of speed and acceleration.
 //!
-//! One law serves joints (`N` = 1) and feet (`N` = 3). A set point has a position and a velocity;
-//! whatever its goal becomes, both go on from where they are.
+//! One law serves joints (`N` = 1) and feet (`N` = 3). A set point has a position and a velocity. Both are continuous
+//! when its goal changes.
 
 #[cfg(test)]
 mod tests;
 
 use core::f64::consts::SQRT_2;
 
-/// Remaining time up to which it is rounding, s.
+/// Remaining time below which a motion has ended; it comes from rounding, s.
 const INSTANT: f64 = 1e-9;
 
-/// Limits above this one are as good as none; its square is still finite.
+/// Value above which a limit has no effect. Its square is still finite.
 const UNBOUNDED: f64 = 1e100;
 
-/// The most that a set point may do.
+/// Limits of the motion of a set point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
     /// Speed, while it heads for a point.
@@ -35,7 +35,7 @@ pub(crate) enum Goal<const N: usize> {
         /// True if no acceleration limit holds during the move.
         hs: bool,
     },
-    /// Comes to rest at a point, to which a spring pulls what is guided.
+    /// Comes to rest at a point, to which a spring pulls the joint or foot.
     Spring {
         /// The point.
         target: [f64; N],
@@ -44,7 +44,7 @@ pub(crate) enum Goal<const N: usize> {
     },
     /// Keeps a velocity.
     Speed([f64; N]),
-    /// Pushes with a torque or force, wherever that leads; the set point is where it led.
+    /// Pushes with a torque or force. The set point follows the measured place.
     Effort([f64; N]),
 }
 
@@ -78,7 +78,7 @@ pub(crate) struct SetPoint<const N: usize> {
     velocity: [f64; N],
     goal: Goal<N>,
     course: Option<LinePath<N>>,
-    /// DIRECT: the set point is at its target from the next motion on, without limits.
+    /// True under DIRECT: the set point is at its target from the next advance on, without limits.
     jumps: bool,
 }
 
@@ -109,17 +109,17 @@ impl<const N: usize> SetPoint<N> {
         }
     }
 
-    /// Returns this motion, which is at its target at once if `jumps`.
+    /// Returns this motion with `jumps`: if true, the set point is at its target immediately.
     pub(crate) const fn jumping(self, jumps: bool) -> Self {
         SetPoint { jumps, ..self }
     }
 
-    /// Returns true if the set point is at its target at once.
+    /// Returns true if the set point goes to its target immediately.
     pub(crate) const fn jumps(&self) -> bool {
         self.jumps
     }
 
-    /// Returns this goal, started from rest at `position`.
+    /// Returns this set point with its goal, at rest at `position`.
     pub(crate) const fn stopped_at(self, position: [f64; N]) -> Self {
         SetPoint::resting(position).towards(self.goal)
     }
@@ -140,8 +140,8 @@ impl<const N: usize> SetPoint<N> {
         self.velocity.iter().all(|speed| *speed == 0.0)
     }
 
-    /// Returns the place where the set point comes to rest when it brakes as hard as it may; a
-    /// point farther than any robot reaches, but finite, if it may hardly brake.
+    /// Returns the place at which the set point comes to rest if it brakes as hard as it may. If it may hardly brake,
+    /// that is a finite place beyond the reach of any robot.
     pub(crate) fn rest_point(&self, limits: Limits) -> [f64; N] {
         let acceleration = self.in_force(limits).acceleration;
         let speed = norm(self.velocity);
@@ -153,8 +153,8 @@ impl<const N: usize> SetPoint<N> {
         add_scaled(self.position, self.velocity, per_speed)
     }
 
-    /// Returns the place where the set point would be farthest to the side of the straight line to
-    /// its target, which it joins without a jump in velocity.
+    /// Returns the place at which the set point is farthest from the straight line to its target. It joins that line
+    /// without a jump in velocity.
     pub(crate) fn swing(&self, limits: Limits) -> [f64; N] {
         self.goal.target().map_or(self.position, |target| {
             LinePath::new(self.position, self.velocity, target).swing(self.in_force(limits))
@@ -172,7 +172,7 @@ impl<const N: usize> SetPoint<N> {
         self.position
     }
 
-    /// Moves on by `dt` seconds; a held set point brakes and stays, whatever its goal.
+    /// Advances by `dt` seconds. A held set point brakes and stays, with any goal.
     pub(crate) fn advance(&mut self, limits: Limits, dt: f64, held: bool) {
         if self.jumps {
             self.jump(limits, dt, held);
@@ -181,7 +181,7 @@ impl<const N: usize> SetPoint<N> {
         }
     }
 
-    /// Puts the set point at its target; without one, or held, it moves on.
+    /// Moves the set point to its target. Without a target, or under a hold, advances it.
     #[cold]
     fn jump(&mut self, limits: Limits, dt: f64, held: bool) {
         self.jumps = false;
@@ -252,7 +252,7 @@ impl<const N: usize> SetPoint<N> {
     }
 }
 
-/// A part across the line below this share of the speed is rounding.
+/// Share of the speed below which a part across the line comes from rounding.
 const STRAIGHT: f64 = 1e-9;
 
 /// The largest share of the acceleration that the part across takes.
@@ -297,7 +297,7 @@ impl<const N: usize> LinePath<N> {
             across: if straight {
                 Approach::ARRIVED
             } else {
-                // Going to the side widens the gap on the other side.
+                // A motion to one side widens the gap on the other side.
                 Approach {
                     gap: 0.0,
                     speed: sine * speed,
@@ -319,7 +319,7 @@ impl<const N: usize> LinePath<N> {
         add_scaled(velocity, self.side, self.across.speed)
     }
 
-    /// Returns the place where it is farthest to the side of its line.
+    /// Returns the place at which it is farthest from its line.
     fn swing(mut self, limits: Limits) -> [f64; N] {
         let braking = limits.acceleration * self.across_share;
         if braking > 0.0 {
@@ -379,7 +379,7 @@ impl Approach {
             self.speed = 0.0;
         } else if *self != Self::ARRIVED {
             let stopping = self.speed * libm::fabs(self.speed) / (2.0 * acceleration);
-            // The side on which immediate braking would end short of the point.
+            // The sign of the speed change: immediate braking would end on this side of the point.
             let side = if self.gap < stopping { -1.0 } else { 1.0 };
             let plan = Plan::new(side * self.gap, side * self.speed, limits);
             let (gap, speed) = plan.after(dt);

@@ -63,7 +63,7 @@ impl<'a> ClosedFormLeg<'a> {
                 continue;
             };
             let turn = largest_turn(from, &angles);
-            // What differs by rounding is as near.
+            // Turns that differ only by rounding are equal.
             let is_nearer = nearest.is_none_or(|(least, _)| turn < least - ROUNDING);
             if is_nearer && accepts(&angles) {
                 nearest = Some((turn, angles));
@@ -240,7 +240,7 @@ fn roll_pitch_pitch(base: Point, joints: [&Joint; 3], foot: Point, roll_now: f64
 
     let offset = frame.across.dot(&(hip + upper + lower));
     let square = aside.norm_squared() - offset * offset;
-    // What is not a number is not outside either.
+    // A NaN must not count as outside, so the comparison is written this way round.
     let is_outside = square >= -INSIDE * size * size;
     if !is_outside {
         return [None; 4];

@@ -26,7 +26,7 @@ use crate::model::{Axes, Leg, Point};
 use crate::ops::RADIANS_PER_DEGREE;
 use nalgebra::{SMatrix, SVector, Vector3};
 
-/// A point of a leg that can be put somewhere.
+/// A point of a leg that can be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegPoint {
     /// The foot or fingertip.

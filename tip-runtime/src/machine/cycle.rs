@@ -1,4 +1,4 @@
-//! One control cycle, whatever the number of legs, the program and the hardware: compiled once for all numbers of legs.
+//! One control cycle, for any program and hardware. It is compiled once for all numbers of legs.
 
 use super::devices::Devices;
 use super::state::{State, Status};
@@ -17,7 +17,7 @@ use crate::record::{self, Dump, Sample, Sink};
 use crate::special::Special;
 use core::cell::Cell;
 
-/// The most bytes taken from the console in one cycle, so that an endless source cannot stall it.
+/// Maximum number of bytes taken from the console in one cycle, so that an endless source cannot stall it.
 const KEYS_PER_CYCLE: usize = 256;
 
 /// All parts of a machine, for one cycle.
@@ -30,9 +30,9 @@ pub(super) struct ControlCycle<'a, const J: usize> {
     pub(super) state: &'a mut State,
 }
 
-/// The steps of one cycle, as far as they have come.
+/// The progress of the steps of one cycle.
 struct Steps {
-    /// Number of steps that are left of the turn.
+    /// Number of steps that are left in the turn.
     left: u8,
     /// Number of steps in a turn.
     speed: u8,
@@ -40,7 +40,7 @@ struct Steps {
     specials: usize,
     /// Number of records of the cycle so far.
     sub: u32,
-    /// The last step, whose record waits for what follows it: another step, or the robot.
+    /// The last step. Its record is written before the next step, or after the robot has moved.
     last: Option<Ran>,
 }
 
@@ -62,7 +62,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         self.state.status
     }
 
-    /// Runs phase 1: reads every sensor and the keyboard, and lets the controller take them in.
+    /// Runs phase 1: reads every sensor and the keyboard, and passes the readings to the controller.
     fn sample(&mut self) -> Result<(), Fault> {
         if let Some(fault) = self.state.pending.take() {
             return Err(fault);
@@ -85,7 +85,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         }
     }
 
-    /// Phases 2 and 3: the steps, unless there is none to run, then the robot.
+    /// Runs phases 2 and 3: the steps, if there are any to run, then the robot.
     fn act(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<(), Fault> {
         if !self.state.status.is_running() || self.state.paused {
             self.drive();
@@ -140,7 +140,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         Ok(end)
     }
 
-    /// Lets the main program (0) or a thread run the steps that follow.
+    /// Selects the main program (0) or a thread for the following steps.
     fn select(&mut self, thread: u8) {
         self.state.turn = thread;
         self.program.select(thread);
@@ -226,7 +226,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         Ok((flow, ends_turn))
     }
 
-    /// Lets native code of SPECIAL go on, in the motion phase.
+    /// Continues the native code of SPECIAL, in the motion phase.
     fn run_native(&mut self, specials: usize) {
         if specials > 0 {
             self.state.io.variables.read(self.program, specials);
@@ -263,7 +263,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         }
     }
 
-    /// Serves the console requests that the step made and could not serve itself.
+    /// Serves the console requests of the step, which a step cannot serve itself.
     fn serve_console(&mut self, step: u32) {
         let io = &mut self.state.io;
         if let Some(on) = io.silence.take() {
@@ -285,7 +285,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         }
     }
 
-    /// Runs phase 3: trajectories, servo and plant advance by one sampling time, which it returns, ms.
+    /// Runs phase 3: advances trajectories, servo and plant by one sampling time. Returns the sampling time, ms.
     fn drive(&mut self) -> f64 {
         let period = self.controller.period();
         self.controller.advance();
@@ -304,7 +304,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         period
     }
 
-    /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
+    /// Passes a row of TITAN.LOG to the console if this cycle is sampled.
     fn log(&mut self) {
         let io = &mut self.state.io;
         if core::mem::take(&mut io.samples_once) || io.samples {
@@ -313,7 +313,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         }
     }
 
-    // Out of line, or each turn would prepare for it, recorded or not.
+    // Out of line, since most turns are not recorded.
     #[inline(never)]
     fn record(&self, sink: &mut dyn Sink, Ran { thread, step, next }: Ran, sub: u32, last: bool) {
         sink.cycle(&record::Cycle {

@@ -1,4 +1,5 @@
-//! The robot as steps and native code see it: motion goes to the controller, the rest is here.
+//! The interface of steps and native code to the robot. Motion is passed on to the controller; all other commands are
+//! handled here.
 
 use super::state::IoState;
 use super::threads::Threads;
@@ -16,22 +17,21 @@ use crate::vibration::Vibration;
 use core::cell::Cell;
 use core::fmt::Display;
 
-/// A robot with any number of legs of `J` joints, in one cycle, and what else a step can reach.
+/// The parts of a machine that a step can reach in one cycle, for a robot with any number of legs of `J` joints.
 pub(super) struct Devices<'a, const J: usize> {
     pub(super) controller: &'a mut ControllerView<J>,
     pub(super) sensors: SensorsView<'a, J>,
     pub(super) io: &'a mut IoState,
-    /// Native code of SPECIAL; `None` while it runs itself: it calls no SPECIAL, and nothing that it commands is
-    /// recorded.
+    /// The native code of SPECIAL; `None` while that runs: it cannot call SPECIAL, and its commands are not recorded.
     pub(super) special: Option<&'a mut dyn Special>,
     pub(super) console: &'a mut dyn Console,
     pub(super) sink: Option<&'a mut dyn Sink>,
-    /// The step does not continue one that waited.
+    /// True unless the step continues after a wait.
     pub(super) first: bool,
     /// The thread that runs the step; 0 for the main program.
     pub(super) thread: u8,
     pub(super) threads: &'a mut Threads,
-    /// The step ends its turn. Reading an input does, too.
+    /// True if the step ends its turn, as a read of an input does.
     pub(super) ends_turn: Cell<bool>,
 }
 
@@ -100,8 +100,8 @@ impl<const J: usize> Devices<'_, J> {
         self.io.held_for_dump |= self.controller.take_hold();
     }
 
-    /// Runs a command that starts or ends a hold of its own. OUTPUT_VARIABLES of another step of the cycle holds the
-    /// robot to the cycle's end all the same, and no longer.
+    /// Runs a command that starts or ends a hold. If OUTPUT_VARIABLES of another step holds the robot, that hold still
+    /// lasts to the end of the cycle, and no longer.
     fn hold_or_release(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let for_dump = core::mem::take(&mut self.io.held_for_dump);
         if for_dump {
@@ -184,7 +184,7 @@ fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
     }
 }
 
-/// Returns the place in an array of a leg or joint that counts from 1; past every array if it is 0.
+/// Returns the index of a leg or joint that counts from 1; an index beyond every array for 0.
 fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }

@@ -1,5 +1,5 @@
-//! The state of a machine in its run, and what steps switch besides legs: keys, lamps, flags, logs, and bar graphs
-//! (SPECIAL 20 of the Hiroshima Hand, T.I.P. 3.1 §8-2-3).
+//! The state of a machine besides its legs: run, keys, lamps, flags, logs, and bar graphs (SPECIAL 20 of the Hiroshima
+//! Hand, T.I.P. 3.1 §8-2-3).
 
 use super::threads::{Threads, Timers};
 use super::variables::SpecialVariables;
@@ -22,7 +22,7 @@ const ESCAPE_KEY: u8 = 0x1B;
 pub enum Status {
     /// It runs, or is paused.
     Running,
-    /// It ended itself; the servo loop goes on.
+    /// It has ended. The servo loop goes on.
     Finished(End),
     /// The robot is in emergency stop.
     Emergency,
@@ -87,19 +87,19 @@ impl State {
 
 #[derive(Clone, Debug)]
 pub(super) struct IoState {
-    /// The oldest key since KEY_IN. It empties the keyboard buffer, so that no other one counts.
+    /// The oldest key since the last KEY_IN. KEY_IN empties the keyboard buffer, so later keys are not stored.
     pub(super) key: Option<u8>,
     pub(super) halt_requested: bool,
     pub(super) special_flags: [bool; 10],
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
     pub(super) lamps: [u32; 8],
-    /// Each cycle is sampled (LOG_START).
+    /// True if each cycle is sampled (LOG_START).
     pub(super) samples: bool,
-    /// This cycle is sampled (LOG_ONE_SHOT).
+    /// True if this cycle is sampled (LOG_ONE_SHOT).
     pub(super) samples_once: bool,
-    /// SILENT_ON or SILENT_OFF ran in this cycle.
+    /// `Some` if SILENT_ON (true) or SILENT_OFF (false) ran in this cycle.
     pub(super) silence: Option<bool>,
-    /// OUTPUT_VARIABLES ran in this cycle.
+    /// True if OUTPUT_VARIABLES ran in this cycle.
     pub(super) dump_requested: bool,
     /// True if OUTPUT_VARIABLES holds the robot.
     pub(super) held_for_dump: bool,
@@ -116,7 +116,7 @@ pub(super) struct IoState {
 const TOUCH: f64 = 0.5;
 
 impl IoState {
-    /// Returns true if a flag of conditions is up.
+    /// Returns the state of an event flag.
     pub(super) fn flag<const J: usize>(
         &self,
         flag: Flag,
@@ -169,7 +169,7 @@ const MAX_BARS: usize = MAX * MAX;
 enum Graph {
     /// The graph is not shown.
     Off,
-    /// The graph disappears with the next output.
+    /// It is removed at the next drawing.
     Leaving,
     /// Time at which a shown graph is redrawn, ms.
     On(f64),
@@ -187,8 +187,8 @@ impl Graphs {
         *graph = if on { Graph::On(0.0) } else { Graph::Leaving };
         Ok(())
     }
-    /// Hands the graphs that are due at `time` (ms) to the console: of these torques, and of the forces
-    /// that the controller senses.
+    /// Passes the graphs that are due at `time` (ms) to the console: of these torques, and of the forces that the
+    /// controller senses.
     pub(super) fn show<const J: usize>(
         &mut self,
         time: f64,

@@ -1,4 +1,4 @@
-//! The threads that run, and what the steps of a cycle ask of them; the timers of a program.
+//! The threads and the timers of a program, and the requests of steps to them.
 
 use crate::command::Poll;
 use crate::fault::Fault;
@@ -6,11 +6,11 @@ use crate::fault::Fault;
 /// The threads of a program, one bit each: bit n is thread n, bit 0 the main program.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Threads {
-    /// They have a turn in this cycle, or had one and are not over.
+    /// Threads that have or had a turn in this cycle and are not over.
     running: u8,
-    /// They end with this cycle.
+    /// Threads that end with this cycle.
     stopped: u8,
-    /// They begin in the next cycle.
+    /// Threads that begin in the next cycle.
     started: u8,
 }
 
@@ -25,7 +25,7 @@ impl Threads {
         of(self.running)
     }
 
-    /// START_THREAD.
+    /// Runs START_THREAD.
     pub(super) fn start(&mut self, thread: u8) -> Result<(), Fault> {
         let goes_on = (self.running & !self.stopped) | self.started;
         if goes_on & bit(thread) != 0 {
@@ -35,13 +35,13 @@ impl Threads {
         Ok(())
     }
 
-    /// STOP_THREAD: a thread that was only started does not begin.
+    /// Runs STOP_THREAD. A thread that was started in this cycle does not begin.
     pub(super) fn stop(&mut self, thread: u8) {
         self.started &= !bit(thread);
         self.stopped |= self.running & bit(thread);
     }
 
-    /// WAIT_THREAD of `by`.
+    /// Runs WAIT_THREAD in the thread `by`.
     pub(super) fn wait(&self, thread: u8, by: u8) -> Result<Poll, Fault> {
         if thread == by {
             return Err(Fault::InvalidMode);
@@ -53,7 +53,7 @@ impl Threads {
         })
     }
 
-    /// A thread is over.
+    /// Ends a thread.
     pub(super) fn end(&mut self, thread: u8) {
         self.running &= !bit(thread);
         self.stopped &= !bit(thread);
@@ -101,7 +101,7 @@ const TIMERS: usize = 8;
 /// The timers of a program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Timers {
-    /// ms.
+    /// Times, ms.
     times: [f64; TIMERS],
     /// Bit n: timer n runs.
     running: u8,
@@ -118,7 +118,7 @@ impl Timers {
         self.times.get(usize::from(n)).copied().unwrap_or(0.0)
     }
 
-    /// Sets a timer to zero if `resets`, and lets it run or halts it if `runs` says so.
+    /// Sets a timer to zero if `resets`, and starts or halts it if `runs` is given.
     ///
     /// # Errors
     /// `Domain` for a timer that does not exist.
@@ -135,7 +135,7 @@ impl Timers {
         Ok(())
     }
 
-    /// Lets running timers grow by a cycle of `period` ms.
+    /// Adds a cycle of `period` ms to running timers.
     pub(super) fn grow(&mut self, period: f64) {
         if self.running == 0 {
             return;

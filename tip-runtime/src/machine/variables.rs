@@ -15,14 +15,14 @@ const JOINTS: usize = POSITIONS + COUNT * AXES;
 /// Number of all scalars.
 const SCALARS: usize = JOINTS + COUNT * MAX;
 
-/// The values of the special variables, whether the program names them or not. Those that it names are
-/// copied from it before native code may read them, and back when native code wrote one.
+/// The values of all special variables. Those that the program names are copied from it before native code may read
+/// them, and back after native code has written one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpecialVariables {
     values: [f64; SCALARS],
-    /// The program has run a SPECIAL.
+    /// True if the program has run a SPECIAL.
     are_shared: bool,
-    /// Native code wrote one since the last copy.
+    /// True if native code has written one since the last copy.
     are_new: bool,
 }
 
@@ -33,7 +33,7 @@ impl SpecialVariables {
         are_new: false,
     };
 
-    /// From now on native code may write them.
+    /// Allows native code to write them from now on.
     pub(super) fn share(&mut self) {
         self.are_shared = true;
     }
@@ -68,7 +68,7 @@ impl SpecialVariables {
         Ok(())
     }
 
-    /// Takes over what the program has.
+    /// Copies the values of the program.
     pub(super) fn read(&mut self, program: &dyn Program, count: usize) {
         for scalar in 1..=count {
             if let Some((name, Some(value))) = program.scalar(scalar)
@@ -79,7 +79,7 @@ impl SpecialVariables {
         }
     }
 
-    /// Gives the program what native code wrote.
+    /// Copies the values that native code wrote to the program.
     pub(super) fn write(&mut self, program: &mut dyn Program, count: usize) {
         if !core::mem::take(&mut self.are_new) {
             return;
@@ -93,7 +93,7 @@ impl SpecialVariables {
     }
 }
 
-/// Returns the place of a variable.
+/// Returns the index of the scalar of a variable or of a member.
 fn index(variable: SpecialVariable, joints: usize) -> Option<usize> {
     let (first, size, members, n, member) = match variable {
         SpecialVariable::Var(n) => (0, 1, 1, n, 0),
@@ -104,9 +104,9 @@ fn index(variable: SpecialVariable, joints: usize) -> Option<usize> {
     (n < COUNT && member < members).then_some(first + size * n + member)
 }
 
-/// Returns the place of the variable of this name.
+/// Returns the index of the scalar of this name.
 fn index_of(name: &str) -> Option<usize> {
-    // Searching a string may panic as far as the compiler can tell.
+    // The byte slice is split, since the compiler keeps a panic path in searches of strings.
     let (kind, rest) = name.as_bytes().split_at_checked(3)?;
     let rest = rest.strip_prefix(b"_SPECIAL_")?;
     let digit = |byte: &u8| byte.is_ascii_digit().then(|| byte.wrapping_sub(b'0'));

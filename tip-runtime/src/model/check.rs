@@ -1,4 +1,4 @@
-//! Checks that a model makes sense.
+//! Checks of the consistency of a model.
 
 use super::{
     Body, Forces, InertialProperties, Inverse, Joint, Leg, Model, Part, Range, Slider, Standards,
@@ -44,7 +44,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A model is nonsense: the first thing that is wrong.
+/// The error of an inconsistent model: its first fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ModelError {
     /// Place of the error.
@@ -76,9 +76,9 @@ impl<const L: usize, const J: usize> Model<L, J> {
     /// Checks that the model describes a robot.
     ///
     /// # Errors
-    /// The first thing that makes no sense: a number that is not finite, an axis whose length is not
-    /// 1, limits that are reversed or do not contain the initial posture, a leg without length, a
-    /// chain that its inverse kinematics does not fit, and the like.
+    /// The first fault, such as a number that is not finite, an axis whose length is not 1, limits that are
+    /// reversed or do not contain the initial posture, a leg without length, or a chain that its inverse kinematics
+    /// does not fit.
     pub fn check(&self) -> Result<(), ModelError> {
         let robot = |good, field, wanted| require(good, Place::Robot, field, wanted);
         robot(!self.name.is_empty(), "name", "must not be empty")?;
@@ -121,7 +121,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
 }
 
 impl Inverse {
-    /// Returns true if the joint angles of such a leg can be found this way.
+    /// Returns true if this inverse kinematics fits a leg with these joints.
     #[must_use]
     pub fn fits(self, joints: &[Joint]) -> bool {
         match self {
@@ -132,7 +132,7 @@ impl Inverse {
         }
     }
 
-    /// Returns the requirements on the joints of such a leg, in words.
+    /// Returns the requirements on the joints of a leg, as a text.
     #[must_use]
     pub const fn wanted(self) -> &'static str {
         match self {

@@ -356,7 +356,7 @@ pub(super) fn nearest_points([a, b]: Line, [c, d]: Line) -> [Vector; 2] {
     let (to, of) = (along.dot(&apart), across.dot(&apart));
     let both = along.dot(&across);
     let area = square * other - both * both;
-    // Of parallel lines any point of the first is as near as the others.
+    // On parallel lines any point of the first one is nearest.
     let share = if area > 1e-12 * square * other {
         fraction(both * of - to * other, area)
     } else {

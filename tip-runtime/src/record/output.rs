@@ -1,4 +1,4 @@
-//! Output to files: those that appear complete or not at all, and formatted text into any writer.
+//! Output to files that appear completely or not at all, and of formatted text to any writer.
 #![allow(clippy::disallowed_methods, reason = "this is for writing files")]
 
 use core::fmt;
@@ -10,9 +10,10 @@ use tempfile::{Builder, NamedTempFile};
 /// A file that replaces the earlier one at [`commit`](Self::commit); until then the earlier one
 /// stays unchanged.
 ///
-/// It is written next to its place, as `.tip-RANDOM.part`, and then renamed; it gets owner and permissions of the file that
-/// it replaces, without set-user-ID and set-group-ID. What a link leads to is replaced, not the link, unless there is nothing. Dropped without `commit`
-/// it leaves nothing. A device or a pipe has no content to lose and is written straight.
+/// It is written next to its place, as `.tip-RANDOM.part`, and then renamed; it gets owner and permissions of the file
+/// that it replaces, without set-user-ID and set-group-ID. A link is kept and its target is replaced, unless it leads
+/// nowhere. Dropped without `commit` it leaves nothing. A device or a pipe has no content to lose and is written
+/// straight.
 ///
 /// A file with several names (hard links), or with an owner that a new file cannot have, keeps them: once all of it is in the
 /// part, the content is copied into the file. Only a crash in this last step can leave the file incomplete, with the part
@@ -40,14 +41,14 @@ impl AtomicFile {
     pub fn create(path: &Path) -> io::Result<Self> {
         match fs::metadata(path) {
             Ok(found) if !found.is_file() => Ok(AtomicFile(Target::Straight(open(path)?))),
-            // To rename asks the folder for leave only.
+            // A rename needs only the permission of the folder, so the file is checked.
             Ok(found) if found.permissions().readonly() => {
                 Err(io::ErrorKind::PermissionDenied.into())
             }
             Ok(found) => Self::beside(fs::canonicalize(path)?, Some(&found)),
-            // Under the name of a part it could be written, and never take its place.
+            // A part could be written under its own name, but never renamed to this one.
             Err(error) if is_no_name(&error) => Err(error),
-            // A link that leads nowhere is replaced itself.
+            // A link that leads nowhere is itself replaced.
             Err(_) => Self::beside(path.to_path_buf(), None),
         }
     }
@@ -58,7 +59,7 @@ impl AtomicFile {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
-        // A folder that is missing is not reported by the name of a part.
+        // The error of a missing folder must not name the part.
         fs::metadata(folder.join("."))?;
         let mut builder = Builder::new();
         builder.prefix(".tip-").suffix(".part");
@@ -147,7 +148,7 @@ fn reserve(file: &File, length: u64) -> io::Result<()> {
     }
     match fallocate(file, FallocateFlags::KEEP_SIZE, 0, length) {
         Err(error @ (Errno::NOSPC | Errno::DQUOT | Errno::FBIG)) => Err(error.into()),
-        // Not every file system can.
+        // Some file systems cannot reserve space.
         _ => Ok(()),
     }
 }

@@ -6,12 +6,12 @@ use crate::program::{
 };
 use std::ops::Range;
 
-/// Names the scalars that a step reads, in the order of reading; one may come twice.
+/// Calls `found` with each scalar that a step reads, in the order of reading. A scalar may come twice.
 pub fn reads(program: &Program, action: &Action, found: impl FnMut(usize)) {
     Reads { program, found }.action(action);
 }
 
-/// Returns the scalars that have a value once the step is done: neighbours.
+/// Returns the scalars that a step assigns. They have neighbouring indices.
 pub fn assigns(program: &Program, action: &Action) -> Range<usize> {
     match action {
         Action::SetScalar { target: into, .. }

@@ -1,19 +1,21 @@
 //! Definite assignment: which reads always, sometimes or never find a value (T.I.P. 3.1 §5-1).
 //!
-//! A data flow over the steps. For each scalar it holds whether a run can come to a step with the
-//! scalar unassigned, and whether with it assigned. A read that finds nothing ends the run, so a run
-//! that goes on has a value there. A call continues only with what some path through the
-//! subroutine leaves: calls and returns match, at any depth. A scalar that each basic block
-//! assigns before it reads it needs no data flow; the others are a row of bits for each block.
-//! The rows of all blocks together have at most [`MAX_WORDS`] words: reads of further scalars are not judged, and
-//! [`Assignment::is_complete`] returns false.
+//! A forward data-flow analysis over the steps. It keeps two bits for each scalar: a run can reach the step with the
+//! scalar unassigned, and a run can reach it with the scalar assigned. A read of an unassigned scalar ends the run, so
+//! in a run that goes on behind a read the scalar is assigned. A call is followed by the states that the paths through
+//! its subroutine leave: calls and returns match, at any depth.
 //!
-//! Threads run from their THREAD. What another thread assigns proves nothing; how an edition judges it is in `ways`.
+//! A scalar that no basic block reads before assigning it needs no data flow. Each block has a row of bits for the
+//! others. The rows of all blocks together have at most [`MAX_WORDS`] words: reads of further scalars are not judged,
+//! and [`Assignment::is_complete`] returns false.
+//!
+//! A thread starts at its THREAD. An assignment by another thread proves nothing; `paths` has the rules of edition 3.2
+//! for it.
 
 mod blocks;
-mod ways;
+mod paths;
 
-pub use ways::{NoValue, Paths};
+pub use paths::{NoValue, Paths};
 
 use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};
@@ -76,12 +78,13 @@ impl Assignment {
         Assignment { reads, is_complete }
     }
 
-    /// Returns the reads, by step, then by scalar; a scalar that a step reads twice is one.
+    /// Returns the reads in the order of steps, then of scalars. A scalar that a step reads twice counts once.
     pub fn reads(&self) -> &[Read] {
         &self.reads
     }
 
-    /// Returns false if reads are left out, since blocks of a long program read thousands of scalars that others assign.
+    /// Returns false if the reads of some scalars were not judged, because the rows would have more than [`MAX_WORDS`]
+    /// words.
     pub fn is_complete(&self) -> bool {
         self.is_complete
     }
@@ -94,7 +97,7 @@ impl Assignment {
     }
 }
 
-/// Returns which scalars have a value at the start: those that are shared with native code.
+/// Returns true for each scalar that has a value at the start, since it is shared with native code.
 fn predeclared(program: &Program) -> Vec<bool> {
     let mut given = vec![false; program.scalar_count()];
     for variable in program.variables().iter().filter(|it| it.special.is_some()) {
@@ -110,14 +113,14 @@ struct NodeRead {
     assigned: Assigned,
 }
 
-/// Reads along a flow.
+/// The judged reads of a flow.
 struct Judged {
     reads: Vec<NodeRead>,
-    /// False if reads are left out.
+    /// False if reads were not judged.
     is_complete: bool,
     /// For each node, true if a run can come to it.
     reached: Vec<bool>,
-    /// For each node, true if a call of it can come back.
+    /// For each node, true if a call of the subroutine at it can return.
     comes_back: Vec<bool>,
 }
 
@@ -178,7 +181,7 @@ fn judged(program: &Program, flow: &Flow, starts: &[NodeId], given: &[bool]) -> 
     }
 }
 
-/// Returns what a read of the scalar at a place finds; `None` if no run comes there with it.
+/// Judges a read of the scalar at a place; `None` if no run gets there.
 fn found(state: &State, place: usize) -> Option<Assigned> {
     match (state.may_be_assigned(place), state.may_be_unassigned(place)) {
         (true, false) => Some(Assigned::Always),
@@ -189,9 +192,9 @@ fn found(state: &State, place: usize) -> Option<Assigned> {
 }
 
 /// Maximum number of gaps for which a path is searched. Each search takes time linear in the length of the program.
-const MAX_WAYS: usize = 100;
+const MAX_PATHS: usize = 100;
 
-/// A variable that is read without a value: the first step in the source that does.
+/// The first step in the source that may read a variable without a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Gap {
     /// The variable.
@@ -202,13 +205,14 @@ pub struct Gap {
     pub assigned: Assigned,
     /// The step that reads it.
     pub step: StepId,
-    /// The steps of a shortest run from step 0, or from the start of a thread, to `step` on which the first of `scalars` gets no value;
-    /// of a subroutine that is left again, its call alone. Empty after the first hundred gaps.
-    pub way: Vec<StepId>,
+    /// The steps of a shortest path from step 0, or from the start of a thread, to `step` on which the first of
+    /// `scalars` gets no value. The steps of a subroutine that returns are left out, except its call. Empty after the
+    /// first hundred gaps.
+    pub path: Vec<StepId>,
 }
 
-/// Returns the gaps of a program, by variable: one for the reads that some run finds no value at, and one for
-/// those that every run does.
+/// Returns the gaps of a program, by variable. A variable has at most two: one for the reads that fail on some path,
+/// and one for those that fail on every path.
 pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
     let lacking = assignment
         .reads()
@@ -222,7 +226,7 @@ pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
             scalars: Vec::new(),
             assigned: read.assigned,
             step: read.step,
-            way: Vec::new(),
+            path: Vec::new(),
         });
         if gap.step == read.step {
             gap.scalars.push(read.scalar);
@@ -235,20 +239,25 @@ pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
     let flow = Flow::of(program);
     let blocks = Blocks::of(&flow);
     let accesses = accesses(program, &flow);
-    for gap in gaps.iter_mut().take(MAX_WAYS) {
+    for gap in gaps.iter_mut().take(MAX_PATHS) {
         let scalar = gap.scalars[0];
         let places = Places::only(scalar, program.scalar_count());
         let analysis = Analysis::new(&blocks, &accesses, &places);
         let of_scalar = accesses.iter().filter(|access| access.scalar == scalar);
         let touching: Vec<NodeId> = of_scalar.map(|access| access.node).collect();
-        gap.way = way(&flow, &analysis, &touching, gap.step);
+        gap.path = shortest_path(&flow, &analysis, &touching, gap.step);
     }
     gaps
 }
 
-/// Returns the steps of a shortest run to `step` on which nothing before it reads or assigns the only scalar of an
-/// analysis, as the nodes `touching` do.
-fn way(flow: &Flow, analysis: &Analysis<'_>, touching: &[NodeId], step: StepId) -> Vec<StepId> {
+/// Returns the steps of a shortest path to `step` with no earlier access to the only scalar of the analysis. `touching`
+/// has the nodes that access it, in order.
+fn shortest_path(
+    flow: &Flow,
+    analysis: &Analysis<'_>,
+    touching: &[NodeId],
+    step: StepId,
+) -> Vec<StepId> {
     let is_untouched = |id: NodeId| touching.binary_search(&id).is_err();
     let passes = |entry| {
         analysis
@@ -260,7 +269,7 @@ fn way(flow: &Flow, analysis: &Analysis<'_>, touching: &[NodeId], step: StepId) 
     while let Some(id) = queue.pop_front() {
         let node = &flow.nodes()[id];
         if node.step == step && !is_untouched(id) {
-            return walked(flow, &from, id);
+            return steps_to(flow, &from, id);
         }
         if !is_untouched(id) {
             continue;
@@ -280,7 +289,7 @@ fn way(flow: &Flow, analysis: &Analysis<'_>, touching: &[NodeId], step: StepId) 
 }
 
 /// Returns the steps on the path from a start to `id`.
-fn walked(flow: &Flow, from: &[Option<NodeId>], id: NodeId) -> Vec<StepId> {
+fn steps_to(flow: &Flow, from: &[Option<NodeId>], id: NodeId) -> Vec<StepId> {
     let nodes = std::iter::successors(Some(id), |id| from[*id]);
     let mut steps: Vec<StepId> = nodes.map(|id| flow.nodes()[id].step).collect();
     steps.reverse();

@@ -9,18 +9,19 @@ use std::collections::BTreeSet;
 /// The index of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
 
-/// A step, as it is reached.
+/// A step, with the way in which it is reached.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Node {
     /// The step.
     pub step: StepId,
-    /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
+    /// True for an ELSEIF or ELSE that is reached at the end of the branch above it: the step passes on, and does not
+    /// read its condition.
     pub is_passed: bool,
-    /// Nodes that the next cycle may run without a call or return: two at most.
+    /// The nodes that may follow without a call or return: two at most.
     pub next: Vec<NodeId>,
     /// The call that it may make.
     pub call: Option<Call>,
-    /// RETURN or SUBEND.
+    /// True for RETURN or SUBEND.
     pub returns: bool,
 }
 
@@ -43,7 +44,7 @@ pub struct Flow {
 impl Flow {
     /// Computes the flow of a program. Takes time and memory linear in its length.
     pub fn of(program: &Program) -> Self {
-        let ways = StepTargets::new(program);
+        let targets = StepTargets::new(program);
         let mut nodes = Vec::new();
         for (step, content) in (0..).zip(program.steps()) {
             let action = &content.action;
@@ -51,19 +52,19 @@ impl Flow {
                 nodes.push(Node {
                     step,
                     is_passed: true,
-                    next: ways.to(to).into_iter().collect(),
+                    next: targets.to(to).into_iter().collect(),
                     ..Node::default()
                 });
             }
-            nodes.push(ways.node(step, action));
+            nodes.push(targets.node(step, action));
         }
         let threads = program.threads().iter();
-        let threads = threads.filter_map(|thread| ways.to(thread.first));
+        let threads = threads.filter_map(|thread| targets.to(thread.first));
         let starts = [0].into_iter().chain(threads).collect();
         Flow { nodes, starts }
     }
 
-    /// Returns the flow in which no run goes on behind these nodes.
+    /// Returns the flow in which every run ends at these nodes.
     pub fn cut(&self, at: &BTreeSet<NodeId>) -> Flow {
         let mut flow = self.clone();
         for node in at {
@@ -89,7 +90,7 @@ impl Flow {
         self.nodes.partition_point(|node| node.step < step)
     }
 
-    /// Returns the last node of a step: what a false IF or ELSEIF leads to.
+    /// Returns the last node of a step, to which a false IF or ELSEIF leads.
     pub fn last(&self, step: StepId) -> NodeId {
         self.first(step + 1).saturating_sub(1)
     }
@@ -245,17 +246,17 @@ pub fn always(condition: Condition) -> Option<bool> {
     }
 }
 
-/// Knowledge of FOR's first test.
+/// Result of FOR's first test, as far as constants decide it.
 pub enum Entry {
     /// A step of zero: the program stops.
     Fails,
     /// Its outcome.
     Known(bool),
-    /// Nothing.
+    /// Not known.
     Open,
 }
 
-/// Evaluates FOR's first test as far as it is known.
+/// Evaluates FOR's first test, as far as constants decide it.
 pub fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
     match (from, to, step) {
         (_, _, Operand::Constant(0.0)) => Entry::Fails,

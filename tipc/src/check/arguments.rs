@@ -18,8 +18,8 @@ use crate::syntax::{Operand, Word, upper_case};
 use smol_str::SmolStr;
 use tip_runtime::command::{FAST, Flag, Op, Target};
 
-/// The most words that a command may have been taken apart into.
-const PARTS: usize = 4;
+/// Maximum number of words that are joined to find a command whose name was written in several words.
+const MAX_PARTS: usize = 4;
 
 impl Resolver<'_> {
     pub(super) fn command(
@@ -39,7 +39,7 @@ impl Resolver<'_> {
         action
     }
 
-    /// Adds the usage of a command to its faults, which were reported since a mark, that have no help.
+    /// Adds the usage of a command to the errors without help that were reported since a mark.
     fn say_usage(&mut self, mark: Handle, command: &Command) {
         let edition = self.names.edition;
         let silent = |fault: &&mut Diagnostic| {
@@ -91,7 +91,7 @@ impl Resolver<'_> {
         Some(command)
     }
 
-    /// Returns a replacement for a command that the robot lacks.
+    /// Returns the help for a command that the robot lacks.
     fn who_has(&self, command: &Command) -> Commanding {
         let name = command.name;
         match self.robot {
@@ -136,7 +136,7 @@ impl Resolver<'_> {
                 };
                 let mut fault =
                     Diagnostic::new(Code::UnknownCommand, name.span, reason).about(word);
-                // `DIM A(3)`: that there are no arrays is no second mistake.
+                // `DIM A(3)` is one mistake: the array is not reported again.
                 fault.once = malformed.and_then(|malformed| malformed.once.clone());
                 if let Some(block) = self.closes_here() {
                     let (opener, closer) = (block.kind.opener(), block.kind.closer());
@@ -207,7 +207,7 @@ impl Resolver<'_> {
         self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
 
-    /// Suggests what to write in the place of an unknown first word; false if that is a guess.
+    /// Returns the help for an unknown first word, and false if that is a guess.
     fn suggest_for(&self, name: &Word) -> (Message, bool) {
         match self.known_mistake(name) {
             Some(help) => (help, true),
@@ -273,11 +273,11 @@ impl Resolver<'_> {
         }
     }
 
-    /// `ALL STOP`: the command whose name is in several words.
+    /// Returns the command whose name is written in several words, such as `ALL STOP`.
     pub(super) fn in_one_word(&self, first: &Word) -> Option<&'static str> {
         let rest = self.rest_of_statement(first.span);
         let rest = rest.split(DELIMITERS).filter(|word| !word.is_empty());
-        let words: Vec<&str> = rest.take(PARTS - 1).collect();
+        let words: Vec<&str> = rest.take(MAX_PARTS - 1).collect();
         let mut counts = (1..=words.len()).rev();
         counts.find_map(|count| {
             let parts = [first.node.as_str()].into_iter();
@@ -302,7 +302,8 @@ impl Resolver<'_> {
     }
 }
 
-/// Returns the command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
+/// Returns the command of a word that has the form of a call in another language: `PTP(F1`, `MESSAGE"…"`,
+/// `robot.ptp(1`.
 fn called(word: &str, edition: Edition) -> Option<&'static str> {
     let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
     let name = &word[..end.unwrap_or(word.len())];
@@ -314,7 +315,11 @@ fn called(word: &str, edition: Edition) -> Option<&'static str> {
 /// Returns the command whose parts stand in another order: `PTP_REL`.
 fn turned(word: &str, edition: Edition) -> Option<&'static str> {
     let parts = |name: &str| {
-        let mut parts: Vec<SmolStr> = name.split('_').take(PARTS + 1).map(SmolStr::from).collect();
+        let mut parts: Vec<SmolStr> = name
+            .split('_')
+            .take(MAX_PARTS + 1)
+            .map(SmolStr::from)
+            .collect();
         parts.sort_unstable();
         parts
     };
@@ -323,7 +328,7 @@ fn turned(word: &str, edition: Edition) -> Option<&'static str> {
     names.find(|name| name.len() == word.len() && parts(name) == wanted)
 }
 
-/// Returns the command that the first parts of a word are: `TORQUE_CONTROL`.
+/// Returns the command that is the first parts of a word: `TORQUE_CONTROL`.
 fn begun(word: &str, edition: Edition) -> Option<&'static str> {
     let longest = commands::names(edition).map(str::len).max();
     let ends = word.match_indices('_').map(|(at, _)| at);

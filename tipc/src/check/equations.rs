@@ -93,8 +93,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Returns the type of an equation, as far as something in it shows it: all of its operands are of one, but those
-    /// of functions.
+    /// Returns the type of an equation, if an operand shows it: all operands have one type, except those of functions.
     fn type_in(&self, equation: &Equation) -> Option<VariableKind> {
         let known = |operand: &Operand| match &operand.kind {
             OperandKind::Number(_) | OperandKind::Member(_) => Some(VariableKind::Var),
@@ -115,8 +114,8 @@ impl Resolver<'_> {
         .or_else(|| known(&equation.target))
     }
 
-    /// Resolves the right side; `target` is the left one, if it is known, and `guess` the type of what is not
-    /// declared.
+    /// Resolves the right side. `target` is the type of the left side, if known; `guess` is the type that an undeclared
+    /// name is used as.
     fn expression(
         &mut self,
         expression: &Expression,
@@ -233,7 +232,7 @@ impl Resolver<'_> {
 
     fn rotation(&mut self, axis: Axis, operands: &[Operand]) -> Option<Value> {
         let turned = self.structure(&operands[0], Some(VariableKind::Pos));
-        // Operands the other way round are one mistake, names that are not declared are two.
+        // Operands in the wrong order are one mistake; two undeclared names are two.
         if turned.is_none() && self.is_declared(&operands[0]) {
             return None;
         }
@@ -256,7 +255,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Resolves a whole struct, of one kind if `kind` says so.
+    /// Resolves a whole struct; if `kind` is given, one of that type.
     fn structure(
         &mut self,
         operand: &Operand,
@@ -295,7 +294,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Returns how a function is written.
+/// Returns the message that shows the form of a function.
 fn usage(operation: Operation) -> Calculating {
     let function = operation.word();
     match operation {

@@ -21,7 +21,7 @@ use std::collections::HashMap;
 pub(crate) struct Resolved {
     /// The statement that each jump leads to.
     pub(crate) targets: Vec<Option<usize>>,
-    /// Labels without their colon, by their statements, and the jumps to each.
+    /// The jumps to each label without its colon, by the statement of the label.
     pub(crate) bare: HashMap<usize, Vec<Span>>,
 }
 
@@ -78,7 +78,7 @@ impl Jumps<'_> {
             return self.loop_target(index, kind, jump, location);
         }
         let Some(to) = self.statement_of(self.known.labels.find(name)) else {
-            if self.told_otherwise(name, jump, location) {
+            if self.explains_missing_label(name, jump, location) {
                 return None;
             }
             let near = match self.found.are_many() {
@@ -131,7 +131,7 @@ impl Jumps<'_> {
             return None;
         }
         let to = self.statement_of(self.known.labels.loop_above(index));
-        if to.is_none() && !self.told_otherwise(LOOP, jump, location) {
+        if to.is_none() && !self.explains_missing_label(LOOP, jump, location) {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
             let fault = fault.once(MistakeId::Label(LOOP.into()));
@@ -150,12 +150,12 @@ impl Jumps<'_> {
         to
     }
 
-    /// Returns true if a missing label is not the mistake of this jump: it stands there without its colon, or after
-    /// END, or the jump itself is wrong.
-    fn told_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
+    /// Reports a jump to a missing label as part of another mistake, if there is one: the label lacks its colon or
+    /// stands after END, or the jump itself is broken. Returns true if so.
+    fn explains_missing_label(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
         if let Some(label) = self.known.labels.bare(name) {
             let jumps = self.bare.entry(label).or_default();
-            // A jump without its colon is another mistake.
+            // A broken jump has its own diagnostic.
             jumps.extend(Some(location).filter(|_| !jump.broken));
             return true;
         }
@@ -227,7 +227,7 @@ impl Jumps<'_> {
             && kind != JumpKind::Goto
             && self.is_subroutine(to)
         {
-            // What is called may be entered.
+            // A call may enter the SUBROUTINE that it names.
             inner = self.known.blocks.blocks[routine].parent;
         }
         let [entered_for, refused] = self.known.blocks.entered(inner, from);
@@ -329,7 +329,7 @@ fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
     all
 }
 
-/// Warns of each SUBROUTINE that the step above it runs into.
+/// Warns of each SUBROUTINE that a run can enter from the step above it.
 pub(crate) fn warn_of_entries(module: &Module, labels: &Labels<'_>, found: &mut Diagnostics) {
     let mut open_above = true;
     for statement in &module.statements {

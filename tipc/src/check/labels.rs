@@ -12,23 +12,23 @@ use crate::syntax::{Jump, LabelKind, Module, OperandKind, StatementKind, Word, u
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
-/// The most threads of a program.
-const THREADS: usize = 7;
+/// Maximum number of threads of a program.
+const MAX_THREADS: usize = 7;
 
 /// Every label.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Labels<'m> {
-    /// In order of the text; of several of one name the first, but every LOOP.
+    /// The labels in order of the text: the first one of each name, and every LOOP.
     pub(crate) all: Vec<DeclaredLabel<'m>>,
     by_name: HashMap<&'m str, usize>,
     loops: Vec<usize>,
     /// Number of THREADs so far.
     threads: usize,
-    /// Words that are no command and alone in their statement: labels without their colon, perhaps.
+    /// Unknown words that are alone in their statement, with its index: they may be labels without their colon.
     bare: HashMap<&'m str, usize>,
-    /// Names that are declared again, which is reported: nothing more is said of them.
+    /// Names that are declared again. That is reported, and nothing else about them is.
     again: HashSet<&'m str>,
-    /// Whose words no label may bear.
+    /// The edition of the program, whose words are no label names.
     edition: Edition,
 }
 
@@ -74,8 +74,8 @@ impl<'m> Labels<'m> {
         };
         let id = self.all.len();
         self.threads += usize::from(kind == LabelKind::Thread);
-        if kind == LabelKind::Thread && self.threads > THREADS {
-            let reason = Naming::TooManyThreads { most: THREADS };
+        if kind == LabelKind::Thread && self.threads > MAX_THREADS {
+            let reason = Naming::TooManyThreads { most: MAX_THREADS };
             found.push(Diagnostic::new(Code::Argument, name.span, reason).once(MistakeId::Threads));
         }
         if let Some(fault) = refusal(name, kind, self.edition) {
@@ -115,7 +115,7 @@ impl<'m> Labels<'m> {
         self.by_name.get(name).copied()
     }
 
-    /// Returns the first statement that is a label of that name without its colon, perhaps.
+    /// Returns the first statement that may be a label of that name without its colon.
     pub(crate) fn bare(&self, name: &str) -> Option<usize> {
         self.bare.get(name).copied()
     }
@@ -198,7 +198,7 @@ fn refusal(name: &Word, kind: LabelKind, edition: Edition) -> Option<Diagnostic>
     })
 }
 
-/// The statement that the title would be.
+/// The title read as a statement, for programs that lack a title.
 #[derive(Debug, Default)]
 pub(super) struct Title {
     /// Its first word.
@@ -238,13 +238,13 @@ impl Title {
         }
     }
 
-    /// Blames the title for a name that is not declared, if it would declare it.
+    /// Explains an undeclared name by the missing title, if line 2 declares the name.
     pub(super) fn declares(&self, name: &str, fault: Diagnostic) -> Diagnostic {
         let declared = self.names.iter().find(|(one, _)| one == name);
         blame(fault, declared.map(|(_, location)| *location))
     }
 
-    /// Blames the title for a missing label, if it would be that label.
+    /// Explains a missing label by the missing title, if line 2 has that label.
     pub(super) fn labels(&self, name: &str, fault: Diagnostic) -> Diagnostic {
         blame(
             fault,
@@ -252,13 +252,13 @@ impl Title {
         )
     }
 
-    /// Blames the title for a block that nothing opens, if it would open it.
+    /// Explains a block without opener by the missing title, if line 2 opens the block.
     pub(super) fn opens(&self, opener: Keyword, fault: Diagnostic) -> Diagnostic {
         blame(fault, self.first.filter(|_| self.keyword == Some(opener)))
     }
 }
 
-/// Says of a fault that it follows from a title that was forgotten. All such faults are one mistake.
+/// Marks a diagnostic as a consequence of a forgotten title. All of them are one mistake.
 fn blame(fault: Diagnostic, location: Option<Span>) -> Diagnostic {
     match location {
         Some(location) => fault

@@ -1,4 +1,4 @@
-//! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
+//! Variables and constants that a program declares, and the meaning of its operands (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, MAX_DIAGNOSTICS, MistakeId};
@@ -20,8 +20,8 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use tip_runtime::command::{CONSTANT, READING, Reading, Target};
 
-/// The most unknown names that are compared with declared ones.
-const COMPARED: usize = MAX_DIAGNOSTICS;
+/// Maximum number of unknown names that are compared with declared ones.
+const MAX_COMPARED: usize = MAX_DIAGNOSTICS;
 
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;
@@ -40,11 +40,11 @@ pub(crate) struct Names {
     near: RefCell<HashMap<String, Option<String>>>,
     /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
-    /// Names in statements that could not be read, and may declare them: their uses are not reported.
+    /// Names in statements that could not be read. Such a statement may declare them, so their uses are not reported.
     perhaps: HashSet<SmolStr>,
     joints: usize,
     robot: Robot,
-    /// Whose words are reserved.
+    /// The edition of the program, which decides what words are reserved.
     pub(crate) edition: Edition,
 }
 
@@ -160,7 +160,8 @@ impl Names {
         names
     }
 
-    /// Reads every declaration, behind these variables that are shared with native code.
+    /// Reads every declaration. The variables of `shared`, which are shared with native code, come before the declared
+    /// ones.
     fn with(
         module: &Module,
         robot: Robot,
@@ -190,7 +191,7 @@ impl Names {
                 _ => {}
             }
         }
-        // A value may name a variable that is declared below: that is known only now.
+        // A value may name a variable that is declared below it, so values are read after all names.
         for statement in &module.statements {
             if let StatementKind::Constant { name, value, .. } = &statement.kind {
                 names.evaluate(name, value, found);
@@ -222,8 +223,8 @@ impl Names {
         used
     }
 
-    /// Warns of variables called `R`, `A` or `HS`; a motion that has the word means its flag. Those that a fault
-    /// explains are known.
+    /// Warns of variables and constants called `R`, `A` or `HS` that a motion uses: it reads them as flags. `known` has
+    /// the use of each variable that an error explains already.
     pub(crate) fn warn_of_flags(
         &self,
         module: &Module,
@@ -276,7 +277,7 @@ impl Names {
         let name = word.node.as_str();
         if let Some(fault) = self.refusal(word) {
             found.push(fault);
-            // Of a name that is declared again the type is not known.
+            // The type that was meant is not known, so uses of the name are not reported.
             let array = name.split_once(['(', '[', '.']);
             self.refused
                 .insert(array.map_or(name, |(name, _)| name).to_owned());
@@ -301,7 +302,7 @@ impl Names {
         });
     }
 
-    /// Evaluates a DEFINE, once those above it are.
+    /// Evaluates a DEFINE. Those above it must be evaluated before.
     fn evaluate(&mut self, name: &Word, value: &Operand, found: &mut Diagnostics) {
         let number = self.constant_of(name, value);
         let id = self.constant_ids.get(&name.node).copied();
@@ -388,7 +389,7 @@ impl Names {
         self.perhaps.contains(name)
     }
 
-    /// Returns true if a name was suggested in the place of one that is not declared.
+    /// Returns a predicate that is true for names that were suggested in place of undeclared ones.
     pub(crate) fn was_suggested(&self) -> impl Fn(&str) -> bool {
         let near = self.near.borrow();
         let suggested: HashSet<String> = near.values().flatten().cloned().collect();
@@ -400,7 +401,7 @@ impl Names {
         self.ids.get(name).copied()
     }
 
-    /// Returns the type of what a name stands for; a constant is of VAR's.
+    /// Returns the type of a variable, special variable or constant; a constant has the type VAR.
     pub(crate) fn kind_of(&self, name: &str) -> Option<VariableKind> {
         if name.starts_with(READING) {
             return reserved::reading(name, self.edition).map(VariableKind::of_reading);
@@ -418,7 +419,7 @@ impl Names {
         }
     }
 
-    /// Returns the index of the constant that DEFINE names so.
+    /// Returns the index of the constant of that name.
     pub(crate) fn find_constant(&self, name: &str) -> Option<usize> {
         self.constant_ids.get(name).copied()
     }
@@ -428,8 +429,8 @@ impl Names {
         self.find(name).is_some() || self.find_constant(name).is_some()
     }
 
-    /// Resolves an operand. `mistake` is the code of a member that the variable lacks, `guess` the type that an
-    /// unknown variable is used as.
+    /// Resolves an operand. `mistake` is the code to report for a member that the variable lacks; `guess` is the type
+    /// that an unknown variable is used as.
     ///
     /// `None` if the name's declaration was refused, which is reported already.
     pub(crate) fn operand(
@@ -656,7 +657,7 @@ impl Names {
         }
     }
 
-    /// `P_X` where `P.X` was meant.
+    /// Returns `P.X` for `P_X`, if `P` is a variable with that member.
     fn suggest_member(&self, name: &str) -> Option<String> {
         let (base, member) = name.rsplit_once('_')?;
         let variable = self.find(base)?;
@@ -667,7 +668,7 @@ impl Names {
     /// Returns the declared name that is nearest to an unknown one.
     fn nearest(&self, name: &str) -> Option<String> {
         let mut near = self.near.borrow_mut();
-        if near.len() >= COMPARED && !near.contains_key(name) {
+        if near.len() >= MAX_COMPARED && !near.contains_key(name) {
             return None;
         }
         let known = || {
@@ -717,7 +718,7 @@ pub(super) fn inventory(robot: Robot) -> Inventory {
     }
 }
 
-/// Returns the variables that programs share with native code, as far as their names pass a test: name, type, number.
+/// Returns name, type and number of the variables that programs share with native code and whose names pass a test.
 fn shared_variables(is_used: impl Fn(&str) -> bool) -> Vec<(String, VariableKind, u8)> {
     let kinds = [VariableKind::Var, VariableKind::Pos, VariableKind::Joint];
     let all = reserved::SPECIALS.into_iter().zip(kinds);
@@ -736,7 +737,7 @@ fn declared_perhaps(source: &Source, module: &Module) -> HashSet<SmolStr> {
         if commands::find_in(&name.node, module.edition).is_some() {
             continue;
         }
-        // A misspelt command declares nothing, unless it is that of a declaration.
+        // A misspelt command declares nothing, unless it is the command of a declaration.
         compared += 1;
         let near = || nearest(&name.node, commands::names(module.edition));
         let keyword = |near: &str| keywords::find(near, module.edition);
@@ -744,8 +745,8 @@ fn declared_perhaps(source: &Source, module: &Module) -> HashSet<SmolStr> {
             let declarations = [Keyword::DefVar, Keyword::DefPos, Keyword::DefJoint];
             keyword(near).is_some_and(|it| declarations.contains(&it))
         };
-        if compared > COMPARED || near().is_none_or(declares) {
-            // Also the first word: `DEF_VAR A; B`.
+        if compared > MAX_COMPARED || near().is_none_or(declares) {
+            // The first word counts as well: `DEF_VAR A; B`.
             let is_outside = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
             let words = source.slice(statement.span).split(is_outside);
             all.extend(
@@ -758,7 +759,7 @@ fn declared_perhaps(source: &Source, module: &Module) -> HashSet<SmolStr> {
     all
 }
 
-/// `L00`: the number, if letters were typed that look like its digits.
+/// Returns the number that a name such as `L00` was meant to be, if its letters look like digits.
 fn digits(name: &str) -> Option<SmolStr> {
     let is_number = name.len() > 2 && name.chars().all(|c| digit_like(c).is_ascii_digit());
     let ends = name.ends_with(|c: char| c.is_ascii_digit());
@@ -787,7 +788,7 @@ fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     Naming::DeclareAs { declaration }
 }
 
-/// Finds a motion command that has the word first.
+/// Returns the location of the first operand of a motion that is this word.
 fn used_in_motion(module: &Module, word: &str) -> Option<Span> {
     let motions = module.statements.iter().filter_map(motion_arguments);
     let is_word =

@@ -1,4 +1,5 @@
-//! Warnings of constants that no step can use: out of the range of a command, or without a result in an equation.
+//! Warnings about constants that no step can use, because they are out of range or because an equation has no result
+//! for them.
 
 use super::resolve::Resolver;
 use crate::code::Code;
@@ -34,7 +35,7 @@ impl Resolver<'_> {
             {
                 self.warn_of_bounds(name, operand.span, bounds);
                 if self.names.edition.is_strict() {
-                    // The step fails at its first one.
+                    // The step fails at the first such constant.
                     return;
                 }
             }
@@ -91,7 +92,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Finds such a constant: its location, why it has no result, and what to write instead.
+    /// Returns the location of such a constant, the reason, and the help.
     fn impossible(&self, equation: &Equation) -> Option<(Span, Calculating, Calculating)> {
         let constant = |operand: &Operand| self.names.constant(operand);
         let division = |divisor: &Operand| {

@@ -24,13 +24,13 @@ type StatementId = usize;
 
 /// Reasons why a statement is not resolved.
 enum Unresolved {
-    /// It is wrong in itself: reported when it was read, or here.
+    /// The statement is wrong: the parser or this pass has reported it.
     Wrong,
-    /// The statement that it belongs to is missing or broken: reported by the passes before.
+    /// The statement that it belongs to is missing or broken: an earlier pass has reported that.
     Untied,
 }
 
-/// The diagnostic that says why something is not resolved; `None` if another one tells of the mistake.
+/// The diagnostic that tells why something is not resolved; `None` if the mistake is reported elsewhere.
 pub(super) type Refused = Option<Handle>;
 
 /// Counting of a FOR.
@@ -43,8 +43,7 @@ struct Counting {
     step: program::Operand,
 }
 
-/// Returns the action of every statement, which is none for a declaration; all of them, or none if a statement cannot
-/// be resolved.
+/// Returns the actions of all statements, or `None` if a statement cannot be resolved. A declaration has no action.
 pub(super) fn statements(
     known: &Known<'_>,
     jumps: &jumps::Resolved,
@@ -77,7 +76,7 @@ pub(super) fn statements(
             (Err(why), _) => {
                 all = None;
                 if let Unresolved::Wrong = why {
-                    resolver.uses.excuse(known.source, statement.span);
+                    resolver.uses.suppress_named(known.source, statement.span);
                     resolver.uses.may_assign(&statement.kind);
                 }
             }
@@ -93,7 +92,7 @@ pub(super) fn statements(
     (all, uses.finish())
 }
 
-/// One pass over the statements. Its methods answer `None` once they have reported why.
+/// One pass over the statements. Methods that return `None` have reported the reason.
 pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
@@ -106,9 +105,9 @@ pub(super) struct Resolver<'a> {
     counted: HashMap<StatementId, Counting>,
     /// The statement that is being resolved.
     at: StatementId,
-    /// The last statement before with a diagnostic, and the first one of it.
+    /// The last earlier statement with a diagnostic, and its first diagnostic.
     last_wrong: Option<(StatementId, Handle)>,
-    /// Variables with the name of a flag, and where a fault tells of each.
+    /// The variables with the name of a flag whose use an error explains, each with the location of that use.
     pub(super) flags: HashMap<VariableId, Span>,
     pub(super) found: &'a mut Diagnostics,
 }
@@ -125,8 +124,8 @@ impl<'a> Resolver<'a> {
                     self.uses.declare(name);
                 }
                 if self.slice(statement.span).contains(['=', '#']) {
-                    // A value in a declaration is reported; it was to assign the name.
-                    self.uses.excuse(self.known.source, statement.span);
+                    // A declaration with a value is reported. The value was meant as an assignment.
+                    self.uses.suppress_named(self.known.source, statement.span);
                 }
                 return Ok(None);
             }
@@ -414,7 +413,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Blames the title for a variable that is not declared, or names its type, if this use is the first that tells.
+    /// Explains an undeclared variable by a forgotten title, or adds its type to the help if this use is the first that
+    /// shows it.
     fn unknown_variable(&mut self, fault: Diagnostic) -> Diagnostic {
         let name = fault.subject.clone().unwrap_or_default();
         let fault = self.known.title.declares(&name, fault);
@@ -457,7 +457,7 @@ impl<'a> Resolver<'a> {
         true
     }
 
-    /// Returns the opener of the block that the unknown statement that is being resolved was to close.
+    /// Returns the block that the current, unknown statement was probably meant to close.
     pub(super) fn closes_here(&self) -> Option<Block> {
         let block = self.known.blocks.closed_by.get(&self.at)?;
         self.known.blocks.blocks.get(*block).copied()

@@ -1,6 +1,6 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 //!
-//! Each closer takes the innermost open construct of its kind. What does not fit is the matter of `recover`.
+//! Each closer takes the innermost open construct of its kind. `recover` reports openers and closers that do not fit.
 
 mod recover;
 
@@ -19,8 +19,9 @@ use std::collections::HashMap;
 use std::iter;
 use std::ops::Deref;
 
-/// The most blocks around a label that are looked at. Of a jump that enters more, one of these is named.
-const DEEP: usize = 1_000;
+/// Maximum number of blocks around a label that are searched for the outermost one that a jump enters. If there are
+/// more, the outermost of those searched is reported.
+const MAX_DEPTH: usize = 1_000;
 
 /// Kind of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +77,7 @@ pub(crate) struct Block {
     pub(crate) routine: Option<usize>,
     /// The statement that closes it.
     pub(super) end: usize,
-    /// Its ends do not fit, which is reported: what crosses them is not reported again.
+    /// True if opener and closer do not fit, which is reported. A jump across them is not reported again.
     pub(crate) broken: bool,
 }
 
@@ -89,7 +90,7 @@ impl Block {
     }
 }
 
-/// Ties of a control word to others, by the indices of statements.
+/// The statement that belongs to a control word, by its index.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Link {
     /// For IF, ELSEIF: the next ELSEIF, ELSE or ENDIF. For ELSE: ENDIF. For WHILE, FOR: the closer.
@@ -103,9 +104,9 @@ pub(crate) struct Blocks {
     pub(crate) blocks: Vec<Block>,
     /// The innermost block around each statement.
     pub(crate) around: Vec<Option<usize>>,
-    /// The ties of each statement.
+    /// The link of each statement.
     pub(crate) links: Vec<Link>,
-    /// The blocks that unknown words were to close, by the statements of these.
+    /// The block that each unknown statement was probably meant to close, by the index of that statement.
     pub(super) closed_by: HashMap<usize, usize>,
 }
 
@@ -115,7 +116,7 @@ impl Blocks {
     pub(super) fn entered(&self, inner: Option<usize>, from: usize) -> [Option<usize>; 2] {
         let mut entered = [None; 2];
         let around = iter::successors(inner, |id| self.blocks[*id].parent);
-        for id in around.take(DEEP) {
+        for id in around.take(MAX_DEPTH) {
             let block = &self.blocks[id];
             if block.contains(from) {
                 break;
@@ -128,7 +129,7 @@ impl Blocks {
     }
 }
 
-/// Ties every control word to its partner and reports those without one.
+/// Links every control word to its partner and reports those without one.
 pub(super) fn blocks(
     source: &Source,
     module: &Module,
@@ -172,11 +173,11 @@ struct Open {
     block: usize,
     /// The SUBROUTINEs and THREADs directly inside, which are not allowed.
     nested: Vec<usize>,
-    /// Number of unknown statements before it.
+    /// Number of entries of [`Matcher::unknown`] before it.
     unknown: usize,
 }
 
-/// The constructs that are open, outermost first, and where among them those of each kind are.
+/// The open constructs, outermost first, and the indices of those of each kind.
 #[derive(Default)]
 struct Stack {
     all: Vec<Open>,
@@ -220,11 +221,12 @@ struct Matcher<'a> {
     title: &'a Title,
     result: Blocks,
     open: Stack,
-    /// By the kinds of the constructs.
+    /// The closers that may still come, by the kind of their construct.
     owed: [AllOwed; BlockKind::COUNT],
     /// Statements whose first word is unknown. Each of them may be the opener or closer that is missing.
     unknown: Vec<usize>,
-    /// Variables that a NEXT names and of its FOR, as often as they differ, and where.
+    /// Statements of the NEXTs that name another variable than their FOR, by the two variables: that of NEXT, then that
+    /// of FOR.
     crossed: HashMap<(&'a str, &'a str), usize>,
     found: &'a mut Diagnostics,
 }
@@ -339,10 +341,11 @@ impl Matcher<'_> {
         }
     }
 
-    /// Takes the construct that a word belongs to: the innermost of its kind. `None` if none is open; that is reported,
-    /// and so are the constructs that stay open inside.
+    /// Removes and returns the construct that a word belongs to: the innermost of its kind. Reports the constructs that
+    /// stay open inside of it. If none is open, reports that and returns `None`.
     fn unwind(&mut self, index: usize, kind: BlockKind, name: Keyword) -> Option<Open> {
-        // A block that leaves a SUBROUTINE open would take all of its rest along.
+        // A closer does not reach out of its SUBROUTINE: else one missing closer there would cause errors in all of the
+        // rest.
         let reachable = self.open.within(kind).last().copied();
         let reachable = reachable.map(|depth| self.named_by_next(index).unwrap_or(depth));
         let closes_other = self.closes_other(index, kind, name, reachable.is_some());

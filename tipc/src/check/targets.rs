@@ -1,4 +1,4 @@
-//! Targets, event flags of the robot at hand, and conditions (T.I.P. 3.1 §6, §10-3-5).
+//! Targets and event flags, as far as the robot has them, and conditions (T.I.P. 3.1 §6, §10-3-5).
 
 use super::names::inventory;
 use super::resolve::{Refused, Resolver};
@@ -61,7 +61,7 @@ impl Resolver<'_> {
                 (None, Some(word)) if self.names.find(word).is_none() => {
                     self.refuse_target(first.span, reason)
                 }
-                // The form of the command will be its help.
+                // The usage of the command is added as the help.
                 (None, _) => self.refuse(Code::Argument, first.span, reason),
             };
         };
@@ -120,7 +120,8 @@ impl Resolver<'_> {
         })
     }
 
-    /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: the target without its letter, or after another argument.
+    /// Returns the help for a target without its letter, or after another argument: `PTP_ANGLE 11 30`, `TEACH_POSITION
+    /// P F1`.
     fn target_elsewhere(
         &self,
         command: &Word,
@@ -153,7 +154,7 @@ impl Resolver<'_> {
         (rest.len() == 1).then(|| Suggestion::TargetBefore { written }.into())
     }
 
-    /// `Fl`, `J1l`: the target, if letters were typed that look like digits.
+    /// Returns the target that a word such as `Fl` or `J1l` was meant to be, if its letters look like digits.
     fn looks_like_target(&self, word: &str) -> Option<String> {
         let digits: String = word.chars().skip(1).map(digit_like).collect();
         let target: Target = format!("{}{digits}", word.get(..1)?).parse().ok()?;
@@ -219,7 +220,7 @@ impl Resolver<'_> {
     }
 }
 
-/// `J1`, `J2`: a joint without its leg.
+/// Returns true for a joint without its leg: `J1`, `J2`.
 fn is_joint_of_no_leg(word: &str) -> bool {
     let number = word.strip_prefix(JOINT).unwrap_or_default();
     number.len() == 1 && number.starts_with(|c: char| c.is_ascii_digit())
@@ -250,7 +251,7 @@ impl Resolver<'_> {
                 if let Err(fault) = left
                     && is_flag
                 {
-                    // What it is compared with is not wrong for itself.
+                    // The right side is not a second mistake.
                     self.suggest_reading(right, fault);
                     return None;
                 }

@@ -9,7 +9,7 @@ use crate::symbols::Access;
 use crate::syntax::VariableKind;
 use tip_runtime::command::{READING, Reading};
 
-/// Value that a placeholder stands for.
+/// The value that a placeholder shows.
 #[derive(Clone, Copy)]
 enum PlaceholderValue {
     Variable(VariableId),
@@ -48,7 +48,7 @@ impl Names {
         }
     }
 
-    /// `%NAME%` or `%NAME.n%` at the start: the value, its decimals, the placeholder's length.
+    /// Reads `%NAME%` or `%NAME.n%` at the start of a text.
     fn placeholder(&self, text: &str) -> Option<Placeholder> {
         let inner = text.strip_prefix('%')?;
         let inner = &inner[..inner.find('%')?];
@@ -81,7 +81,7 @@ impl Names {
         })
     }
 
-    /// Returns what a name in capital letters stands for in a placeholder, and its type.
+    /// Returns value and type of a name, in capital letters, in a placeholder.
     fn shown(&self, name: &str) -> Option<(PlaceholderValue, VariableKind)> {
         if name.starts_with(READING) {
             let reading = reserved::reading(name, self.edition)?;
@@ -101,7 +101,7 @@ impl Names {
 }
 
 impl Resolver<'_> {
-    /// Splits a text of the source at `location` into what is shown as it is and the values between.
+    /// Splits the text at `location` into texts and values to show.
     pub(super) fn message(&mut self, of: Keyword, location: Span) -> Option<Vec<MessagePart>> {
         let mut parts = Vec::new();
         let mut plain = String::new();
@@ -187,7 +187,8 @@ impl Resolver<'_> {
         parts.push(MessagePart::Value { operand, decimals });
     }
 
-    /// `%N`, `$N`, `{N}`, `％N％` at the start: the variable that is not shown, although it was meant to be.
+    /// Returns the variable that a text was meant to show at its start in the form of another language: `%N`, `$N`,
+    /// `{N}`, `％N％`.
     fn value_of_others(&self, text: &str) -> Option<usize> {
         let name = text.strip_prefix(['%', '$', '{', '％'])?;
         let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -198,7 +199,7 @@ impl Resolver<'_> {
 
 /// Adds what the start of a text, whose first character is `first`, shows; returns its length in the source.
 ///
-/// In a MESSAGE a doubled backslash stays as it is, so that the second one escapes nothing.
+/// In a MESSAGE a doubled backslash is kept, so that the second one escapes nothing.
 fn shown(of: Keyword, text: &str, first: char, plain: &mut String) -> usize {
     let length = first.len_utf8();
     match (first, text[length..].chars().next()) {

@@ -18,7 +18,7 @@ use crate::syntax::{
 use std::collections::HashSet;
 use std::iter;
 
-/// Names that the statements use, so far.
+/// The uses of names in the statements that have been read so far.
 pub(super) struct Uses<'a> {
     names: &'a Names,
     labels: &'a Labels<'a>,
@@ -34,18 +34,19 @@ pub(super) struct Uses<'a> {
     may_assign: Vec<VariableKind>,
 }
 
-/// The names of a whole program, and what each is used for.
+/// The uses of all names of a program.
 pub(super) struct NameUses {
     pub(super) symbols: Symbols,
     /// Number of labels.
     pub(super) labels: usize,
-    /// The variables that a broken statement names: nothing can be said of them.
+    /// For each variable, true if a broken statement names it: no warning about it is sure.
     suppressed: Vec<bool>,
-    /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
+    /// For each variable, true if a MESSAGE was meant to show it but does not: then nothing reads it, and that is not
+    /// reported again.
     to_be_shown: Vec<bool>,
-    /// OUTPUT_VARIABLES reads them all.
+    /// True if the program has OUTPUT_VARIABLES, which reads every variable.
     dumped: bool,
-    /// Types of which a wrong statement may assign any variable: that one is never assigned follows from it.
+    /// Types whose variables a wrong statement may assign: it is not reported that one of them is never assigned.
     may_assign: Vec<VariableKind>,
 }
 
@@ -143,7 +144,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// Records an operand that stands for something of this meaning.
+    /// Records an operand with its resolved meaning.
     pub(super) fn operand(&mut self, operand: &Operand, meant: ResolvedOperand, access: Access) {
         let (definition, member) = match meant {
             ResolvedOperand::Reading { .. } => return,
@@ -196,8 +197,9 @@ impl<'a> Uses<'a> {
         self.dumped = true;
     }
 
-    /// Records that a statement is wrong: it may do anything with the variables that its text names.
-    pub(super) fn excuse(&mut self, source: &Source, statement: Span) {
+    /// Suppresses warnings about the variables that the text of a wrong statement names: it may read or assign each of
+    /// them.
+    pub(super) fn suppress_named(&mut self, source: &Source, statement: Span) {
         let text = source.slice(statement);
         let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
         let known = self.all[self.first..].iter().map(|it| it.span.start);
@@ -212,14 +214,14 @@ impl<'a> Uses<'a> {
             start += word.len();
             let upper = name.to_ascii_uppercase();
             let Some(definition) = self.named(&upper) else {
-                // `2B`
+                // `2B` is no name, but may mean `B`.
                 let behind_digits = upper.trim_start_matches(|it: char| it.is_ascii_digit());
                 if let Some(meant) = self.named(behind_digits) {
-                    self.excuse_one(meant);
+                    self.suppress(meant);
                 }
                 continue;
             };
-            self.excuse_one(definition);
+            self.suppress(definition);
             let is_member = source.text()[..location.start].ends_with('.');
             if !is_member && !known.contains(&location.start) {
                 self.note(location, definition, Access::Unclear);
@@ -230,12 +232,11 @@ impl<'a> Uses<'a> {
             let narrow = narrow(text).to_ascii_uppercase();
             let names = narrow.split(is_outside);
             let meant: Vec<_> = names.filter_map(|name| self.named(name)).collect();
-            meant.into_iter().for_each(|it| self.excuse_one(it));
+            meant.into_iter().for_each(|it| self.suppress(it));
         }
     }
 
-    /// Records what a wrong statement was to assign, if it names no variable that is declared: its name may be that of
-    /// any variable.
+    /// Records the types of variable that a wrong statement may assign, unless it names a declared variable.
     pub(super) fn may_assign(&mut self, kind: &StatementKind) {
         let unknown = |operand: Option<&Operand>| {
             let name = operand.and_then(Operand::name);
@@ -268,12 +269,12 @@ impl<'a> Uses<'a> {
         self.may_assign.extend(new);
     }
 
-    /// Records that a MESSAGE was to show the variable, and does not.
+    /// Records that a MESSAGE was meant to show the variable but does not.
     pub(super) fn was_to_be_shown(&mut self, variable: VariableId) {
         self.to_be_shown[variable] = true;
     }
 
-    fn excuse_one(&mut self, definition: DefinitionId) {
+    fn suppress(&mut self, definition: DefinitionId) {
         if let Some(suppressed) = self.suppressed.get_mut(definition.index()) {
             *suppressed = true;
         }
@@ -328,17 +329,17 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
     variables.chain(labels).chain(constants).collect()
 }
 
-/// Reports reads that nothing assigned, and variables that serve nothing.
+/// Reports variables that are read and never assigned, assigned and never read, or never used, and unused constants.
 pub(super) fn report(source: &Source, names: &Names, named: &NameUses, found: &mut Diagnostics) {
-    let mut serves = vec![Service::default(); names.variables.len()];
+    let mut uses = vec![VariableUse::default(); names.variables.len()];
     for used in named.symbols.all_uses() {
-        if let Some(service) = serves.get_mut(used.definition.index()) {
-            service.add(used);
+        if let Some(one) = uses.get_mut(used.definition.index()) {
+            one.add(used);
         }
     }
-    // A misspelled name was to use the one that it is near to.
+    // A misspelled name probably means the one that was suggested for it, which therefore counts as used.
     let is_meant = names.was_suggested();
-    let first = serves.len() + named.labels;
+    let first = uses.len() + named.labels;
     let mut used = vec![false; names.constants.len()];
     for one in named.symbols.all_uses() {
         let constant = one.definition.index().checked_sub(first);
@@ -347,7 +348,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &NameUses, found: &m
             *used = true;
         }
     }
-    // What is wrong with its definition is reported.
+    // A constant is not reported as unused if its line has another diagnostic.
     let line = |span: Span| source.line_number(span.start);
     let mut reported: HashSet<u32> = match names.constants.is_empty() {
         true => HashSet::new(),
@@ -367,8 +368,8 @@ pub(super) fn report(source: &Source, names: &Names, named: &NameUses, found: &m
             continue;
         }
         let name = &variable.name;
-        let Service { read, assigned } = serves[id];
-        // A name that is missing or not declared may be this one.
+        let VariableUse { read, assigned } = uses[id];
+        // A wrong statement may assign this variable.
         if !assigned && named.may_assign.contains(&variable.kind) {
             continue;
         }
@@ -401,13 +402,13 @@ fn reported_at(diagnostic: &Diagnostic) -> impl Iterator<Item = Span> {
 
 /// Use of a variable by a program.
 #[derive(Clone, Copy, Default)]
-struct Service<'a> {
+struct VariableUse<'a> {
     /// The first read.
     read: Option<&'a Use>,
     assigned: bool,
 }
 
-impl<'a> Service<'a> {
+impl<'a> VariableUse<'a> {
     fn add(&mut self, used: &'a Use) {
         match used.access {
             Access::Read => {
@@ -418,7 +419,7 @@ impl<'a> Service<'a> {
                 self.read.get_or_insert(used);
                 self.assigned = true;
             }
-            // What NEXT counts its FOR has begun.
+            // NEXT reads and assigns only the variable that its FOR has assigned.
             Access::Count
             | Access::Define
             | Access::Jump

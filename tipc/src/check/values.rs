@@ -135,7 +135,7 @@ impl Resolver<'_> {
         }
         let named = whole.and_then(|_| self.struct_named(&operands[flagged]));
         if let (None, Some(_), [operand]) = (named, whole, &operands[flagged..]) {
-            // The only operand can only be meant as a struct.
+            // A single operand can only be a struct.
             self.resolve_operand_as(operand, Code::Argument, Some(kind))
                 .ok()?;
         }
@@ -207,7 +207,7 @@ impl Resolver<'_> {
             values.push(number.ok().map(|operand| Argument { operand, mark }));
             rest = behind;
         }
-        // How many there are does not count where one of them is wrong.
+        // The number of values is checked only if all of them are right.
         let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
         self.no_more(name, rest)?;
         Some(values)
@@ -267,7 +267,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// `R` or `A` as the first of these operands.
+    /// Returns the first of these operands if it is the flag `R` or `A`.
     fn flag_of<'a>(&self, form: Arguments, operands: &'a [Operand]) -> Option<&'a str> {
         let name = operands.first().and_then(word)?;
         (form.motion && (name == RELATIVE || name == ABSOLUTE)).then_some(name)

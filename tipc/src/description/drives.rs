@@ -18,7 +18,7 @@ use tip_runtime::model::Range;
 pub struct Servo {
     /// Its name.
     pub name: &'static str,
-    /// Its family; those of one bus are all of one.
+    /// Its family. All servos of a bus are of one family.
     pub family: &'static str,
     /// Angles that its shaft can have, deg.
     pub travel: Range,
@@ -31,25 +31,25 @@ pub struct Bus {
     pub port: Option<String>,
     /// Bits per second.
     pub baud: u32,
-    /// The most that adapter and driver add to an answer, ms.
+    /// Maximum delay of an answer by the adapter and its driver, ms.
     pub latency: f64,
     /// True if all servos answer in one frame.
     pub together: bool,
-    /// Cycles for which a servo may be silent.
+    /// Number of cycles for which a servo may fail to answer.
     pub silence: u32,
-    /// The hottest that a servo may be, °C.
+    /// Maximum temperature of a servo, °C.
     pub temperature: f64,
-    /// V
+    /// Allowed supply voltage, V.
     pub voltage: Range,
-    /// Load, and the time for which a joint may have more, s.
+    /// Load limit, as part of the stall torque, and the time for which a joint may exceed it, s.
     pub overload: [f64; 2],
-    /// Distance from the command, deg, and the time for which a joint may be farther away, s.
+    /// Limit of the position error, deg, and the time for which a joint may exceed it, s.
     pub lag: [f64; 2],
-    /// Speed of the way to the initial posture, deg/s.
+    /// Speed of the motion to the initial posture, deg/s.
     pub start: f64,
-    /// True if the torque is taken away at the end, and in an emergency.
+    /// True if the torque is switched off at the end of a program, and in an emergency.
     pub relaxes: [bool; 2],
-    /// One for each joint, leg by leg.
+    /// The drive of each joint, leg by leg.
     pub drives: Vec<Drive>,
 }
 
@@ -66,11 +66,11 @@ pub struct Drive {
     pub offset: f64,
     /// Turns of the motor for each turn of the joint.
     pub gear: f64,
-    /// Angles that are commanded, deg.
+    /// Limits of commanded angles, deg.
     pub limits: Range,
-    /// deg/s
+    /// Speed limit, deg/s.
     pub speed: f64,
-    /// Part of the full torque.
+    /// Torque limit, as part of the full torque.
     pub torque: f64,
 }
 
@@ -178,7 +178,7 @@ fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<B
     })
 }
 
-/// Speeds of a joint, deg/s. A slower one would take hours to an angle, without a word.
+/// Speeds that a joint may have, deg/s. A slower motion would take hours.
 const SPEEDS: RangeInclusive<f64> = 0.1..=100_000.0;
 
 /// Reads a number of a range.
@@ -327,7 +327,7 @@ fn drive(
         );
     }
     let speed = within(section, "speed", SPEEDS, 180.0, found);
-    // Less than a hundredth rounds to 0 counts in some servos: they would have torque, and give way to everything.
+    // Less than a hundredth rounds to 0 counts in some servos, which would then be switched on without any force.
     let torque = within(section, "torque", 0.01..=1.0, 1.0, found);
     if let Some(servo) = model.filter(|_| is_inside) {
         let Range { min, max } = servo.travel;

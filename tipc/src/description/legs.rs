@@ -1,5 +1,5 @@
-//! Legs: where they are, and their joints, drawn once and turned or mirrored for each leg. Joints and the body have a
-//! distribution of mass, and shapes for exported files, at which no plant of this project looks.
+//! Legs: their bases and their joints, which are described once and turned or mirrored for each leg. Joints and the
+//! body have inertial properties, and shapes that only exported files use.
 
 use super::Leg;
 use super::keys::Part;
@@ -9,10 +9,10 @@ use crate::source::Span;
 use tip_runtime::command::MAX;
 use tip_runtime::model::{InertialProperties, Joint, Point, Range};
 
-/// Distance from the working limits to those of the potentiometers, unless the file says so: deg.
-const OUTER: f64 = 5.0;
+/// Default distance from the working limits to those of the potentiometers, deg.
+const POTENTIOMETER_MARGIN: f64 = 5.0;
 
-/// A joint as the file draws it, and the shapes of the link after it.
+/// A joint as the file describes it, before it is turned or mirrored, and the shapes of the link after it.
 struct Drawn {
     joint: Joint,
     shapes: Vec<Shape>,
@@ -36,7 +36,7 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     for (number, section) in (1..).zip(&sections) {
         let own = joints(*section, found);
         let drawn = own.as_deref().or(common.as_deref());
-        // Joints that were refused have been reported.
+        // Refused joints are reported already.
         if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
             let reason = Describing::NoJoints { leg: number };
             let help = Describing::DescribeJoints;
@@ -94,7 +94,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     let limits = section.range("limits", Sign::Any, found);
     let limits = limits.unwrap_or(Range::new(-180.0, 180.0));
     let outer = section.range("outer", Sign::Any, found);
-    let outer = outer.unwrap_or(limits.widened(OUTER));
+    let outer = outer.unwrap_or(limits.widened(POTENTIOMETER_MARGIN));
     if !(outer.min <= limits.min && limits.max <= outer.max) {
         let reason = Describing::OuterContainsLimits {
             min: limits.min,
@@ -125,7 +125,8 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
 /// Cosine of the greatest angle between a link and a shape along it: 30 deg.
 const ALONG: f64 = 0.866_025_403_784_438_6;
 
-/// Returns the radius of the longest shape along a link, mm: of a block half of its smaller side across.
+/// Returns the radius of the longest shape along a link, mm. For a block, that is half of its smaller side across the
+/// link.
 fn radius_of(shapes: &[Shape], link: [f64; 3]) -> Option<f64> {
     let length = libm::sqrt(link.iter().map(|part| part * part).sum());
     let rods = shapes.iter().filter_map(|shape| {
@@ -169,7 +170,7 @@ fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
 }
 
 impl Leg {
-    /// Returns true if its foot cannot be anywhere but at its base.
+    /// Returns true if all links have length 0, so that the foot is always at the base.
     fn is_point(&self) -> bool {
         self.joints.iter().all(|joint| {
             let squares = joint.link.map(|part| part * part);
@@ -207,7 +208,7 @@ fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     let [sin, cos] = sin_cos(turn);
     let turned = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
     let (axis, link) = (turned(joint.axis), turned(joint.link));
-    // An axis is a pseudovector: a mirror turns it round as well.
+    // An axis is a pseudovector: a mirror also reverses it.
     let side: f64 = mirror.iter().product();
     let shapes = shapes.iter().map(|shape| shape.placed(turned, mirror));
     let joint = Joint {
@@ -277,7 +278,7 @@ fn initial(
     Some(angles)
 }
 
-/// The shapes that a description gives; what has none is empty.
+/// The shapes of a description; empty for links and bodies without shapes.
 ///
 /// ```
 /// let text = br#"
@@ -319,21 +320,21 @@ pub struct Shape {
     pub axes: [Point; 3],
 }
 
-/// A body around the origin: mm.
+/// A solid around the origin, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
     /// A block with these sides along its own x, y and z.
     Block([f64; 3]),
-    /// Along its own z.
+    /// A cylinder along its own z.
     Cylinder {
-        /// From its axis to its wall.
+        /// Radius, mm.
         radius: f64,
-        /// From end to end.
+        /// Length, mm.
         length: f64,
     },
     /// A ball.
     Sphere {
-        /// From its middle to its surface.
+        /// Radius, mm.
         radius: f64,
     },
 }
@@ -384,7 +385,7 @@ fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
     }
 }
 
-/// Returns the axes of what is turned about the fixed x, y and z, one after the other: deg.
+/// Returns the axes of a shape after rotations about the fixed x, y and z axes, in this order, deg.
 fn axes(turned: [f64; 3]) -> [Point; 3] {
     let [[sr, cr], [sp, cp], [sy, cy]] = turned.map(sin_cos);
     [
@@ -443,7 +444,7 @@ fn placed_spread(
     mirror: [f64; 3],
 ) -> InertialProperties {
     let [xx, yy, zz, xy, xz, yz] = spread.inertia;
-    // Rows are turned, and then, since the tensor is symmetric, columns.
+    // The rows are turned first, then the columns of the result.
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(&turned);
     let column = |axis: usize| turned(rows.map(|row| row[axis]));
     let columns = [column(0), column(1), column(2)];

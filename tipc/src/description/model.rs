@@ -1,4 +1,4 @@
-//! Results of a description: facts that programs are checked against, and a model of the runtime.
+//! Results of a description: facts for checking programs, and a model of the runtime.
 
 use super::section::{Found, Section};
 use super::{Description, Leg, Shapes};
@@ -7,12 +7,12 @@ use crate::robot::{Facts, Robot};
 use tip_runtime::model::{self, Family, Inverse, Model};
 use tip_runtime::program::Signature;
 
-/// Action on the model of a robot, whatever the number of its legs and joints.
+/// An action on the model of a robot with any number of legs and joints.
 pub trait WithModel {
     /// The result.
     type Output;
 
-    /// Does it with a robot of `L` legs with `J` joints each.
+    /// Performs the action with a robot of `L` legs with `J` joints each.
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output;
 }
 
@@ -77,7 +77,8 @@ impl Description {
         Some(model)
     }
 
-    /// The robot as if it had its first leg alone: what does not depend on their number is compiled once for all.
+    /// Returns the model as if the robot had only its first leg: code that does not depend on the number of legs is
+    /// compiled once.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     fn with_one_leg<const J: usize>(&self) -> Option<Model<1, J>> {
@@ -135,7 +136,7 @@ impl Leg {
     }
 }
 
-/// Reads the inverse kinematics: as `chosen`, if every leg is such a chain; else the first that fits all legs.
+/// Returns the inverse kinematics: `chosen`, if every leg is such a chain, else the first one that fits all legs.
 pub(super) fn inverse(
     robot: Section<'_>,
     chosen: Option<Inverse>,

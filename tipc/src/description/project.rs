@@ -44,11 +44,11 @@ pub struct Settings<'a> {
     pub scene: Option<&'a str>,
 }
 
-/// Reads a `tip.toml`. `name` is how diagnostics call the file; `is_there` says whether there is a file, by its path from that
-/// folder.
+/// Reads a `tip.toml`. `name` is the file's name in diagnostics. `is_there` returns true if a file exists, by its path
+/// from that folder.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its location; there is no program in it.
+/// All faults of the file, each at its location, as a [`Loaded`] without a program.
 pub fn parse_project(
     name: &str,
     bytes: &[u8],

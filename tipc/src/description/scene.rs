@@ -8,10 +8,10 @@ use crate::message::Describing;
 use tip_runtime::model::Range;
 use tip_runtime::scene::{Block, Object, Scene, SceneError, Shape, Simulation};
 
-/// Reads a scene. `name` is how diagnostics call the file.
+/// Reads a scene. `name` is the file's name in diagnostics.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its location; there is no program in it.
+/// All faults of the file, each at its location, as a [`Loaded`] without a program.
 pub fn parse_scene(name: &str, bytes: &[u8]) -> Result<Scene, Box<Loaded>> {
     open(name, bytes, Part::Scene, |_, top, found| {
         Some(read(top, found))
@@ -84,7 +84,7 @@ fn object(section: Section<'_>, found: &mut Found) -> Option<Object> {
     })
 }
 
-/// Reads a box or a disc, as the one key or the other says.
+/// Reads a box or a disc, depending on the key.
 fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
     match (section.has("size"), section.has("radius")) {
         (true, false) => {

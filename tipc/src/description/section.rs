@@ -11,11 +11,11 @@ use crate::suggest::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// No measure of a robot is larger, in mm, deg or any other unit: arithmetic stays far from infinity.
+/// Maximum of any measure, in mm, deg or another unit: it keeps arithmetic far from infinity.
 const LARGEST: f64 = 1e6;
-/// No count is larger.
+/// Maximum of any count.
 const MAX_COUNT: f64 = 1e9;
-/// No size is smaller: programs that read exported robots take it for nothing.
+/// Minimum of any size: programs that read exported robots treat smaller ones as zero.
 pub(super) const SMALLEST: f64 = 1e-6;
 
 /// Range that a number must lie in.
@@ -120,7 +120,7 @@ impl<'a> Section<'a> {
             .map_or(self.location, |(location, _)| location)
     }
 
-    /// Refuses the value of `key`, and says how it is written.
+    /// Refuses the value of `key`, with its form as the help.
     pub(super) fn refuse<T>(
         self,
         key: &str,
@@ -139,7 +139,7 @@ impl<'a> Section<'a> {
         None
     }
 
-    /// Refuses the value of `key`, which is well written but does not fit something else, and says what to do.
+    /// Refuses the value of `key`, which has the right form but does not fit another value, and says what to do.
     pub(super) fn refuse_beside(
         self,
         key: &str,
@@ -192,7 +192,7 @@ impl<'a> Section<'a> {
         (found.len() == reported).then_some((location, numbers))
     }
 
-    /// `[min, max]`, in this order.
+    /// Reads `[min, max]`, in this order.
     pub(super) fn range(
         self,
         key: &str,
@@ -207,7 +207,7 @@ impl<'a> Section<'a> {
         self.refuse(key, self.location_of(key), reason, found)
     }
 
-    /// `[min, max]` of what has a size.
+    /// Reads `[min, max]` of sizes.
     pub(super) fn extent(self, key: &str, found: &mut Found) -> Option<tip_runtime::model::Range> {
         let range = self.range(key, Sign::Any, found)?;
         if range.max - range.min >= SMALLEST {
@@ -243,7 +243,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Refuses a word, and says which of the known ones it may mean, if it is near one.
+    /// Refuses a word, with the nearest known one as the help.
     pub(super) fn refuse_word<'w, T>(
         self,
         key: &str,
@@ -310,7 +310,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Tables, one or many; `None` if there are none.
+    /// Reads one or several tables; `None` if there are none.
     pub(super) fn tables(
         self,
         key: &str,

@@ -1,4 +1,4 @@
-//! Settings of a description besides its legs: its name, and what has a default.
+//! Settings of a description besides its legs: its name, and settings that have a default.
 
 use super::Leg;
 use super::keys;
@@ -11,7 +11,7 @@ use tip_runtime::model::{
     TorqueUnit, generic,
 };
 
-/// Speeds, tolerances and sampling time; what the file leaves out is that of the generic robot.
+/// Reads speeds, tolerances and sampling time. The defaults are those of the generic robot.
 pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -> Standards {
     let standard = Standards {
         period: generic::MODEL

@@ -7,29 +7,30 @@ use crate::message::Naming;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Deref;
 
-/// Maximum number of diagnostics of a file that are reported: nobody reads more, and each takes time to show and to fix.
+/// Maximum number of diagnostics of a file that are reported. More are not read, and each takes time to show and to
+/// fix.
 pub const MAX_DIAGNOSTICS: usize = 1_000;
 
 /// Maximum number of diagnostics that the passes keep: of a hostile file there may be one for each byte, and each takes
 /// hundreds of bytes.
 const MAX_KEPT: usize = 10_000;
 
-/// A diagnostic among those that were reported, or the place of the next one.
+/// The index of a diagnostic that was reported, or of the next one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Handle(usize);
 
-/// Diagnostics; those beyond the most that are kept are counted.
+/// The diagnostics of a file. Those beyond a maximum number are only counted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnostics {
     kept: Vec<Diagnostic>,
-    /// The diagnostic of each mistake that is one mistake wherever it shows.
+    /// The diagnostic of each mistake that is reported once.
     once: HashMap<MistakeId, Handle>,
     omitted: Omitted,
 }
 
 impl Diagnostics {
-    /// Adds a diagnostic and returns it. One of a mistake that is reported already becomes a label of that one; `None` if
-    /// so, or if there are too many.
+    /// Adds a diagnostic and returns its handle. A diagnostic of a mistake that is reported already becomes a label of
+    /// that one. Returns `None` in that case, and if there are too many.
     pub fn push(&mut self, diagnostic: Diagnostic) -> Option<Handle> {
         let handle = Handle(self.kept.len());
         if let Some(mistake) = &diagnostic.once {
@@ -81,18 +82,18 @@ impl Diagnostics {
     /// Takes out the diagnostics that `keeps` returns false for.
     pub fn retain(&mut self, keeps: impl FnMut(&Diagnostic) -> bool) {
         self.kept.retain(keeps);
-        // The others have moved.
+        // The indices of the others have changed.
         let kept = self.kept.iter().enumerate();
         let of_mistake = kept.filter_map(|(at, it)| Some((it.once.clone()?, Handle(at))));
         self.once = of_mistake.collect();
     }
 
-    /// Returns true if more diagnostics are kept than are shown. No suggestion is searched for further ones.
+    /// Returns true if more diagnostics are kept than are shown. Passes then search no suggestions, which take time.
     pub(crate) fn are_many(&self) -> bool {
         self.kept.len() >= MAX_DIAGNOSTICS
     }
 
-    /// Adds those of another pass, the omitted ones among them.
+    /// Adds the diagnostics of another pass, and its omitted ones.
     pub fn append(&mut self, later: Diagnostics) {
         self.omitted.append(later.omitted);
         self.extend(later.kept);
@@ -151,7 +152,7 @@ impl IntoIterator for Diagnostics {
     }
 }
 
-/// The diagnostics that are not reported, since there are too many: how many of each code.
+/// The numbers, by code, of the diagnostics that are not reported because there are too many.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Omitted(BTreeMap<Code, usize>);
 

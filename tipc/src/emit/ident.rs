@@ -27,7 +27,7 @@ pub fn type_name(source_name: &str) -> String {
     }
 }
 
-/// `walk` → `Walk`, `WALK` → `Walk`, `fastWalk` → `FastWalk`.
+/// Returns a word in UpperCamelCase: `walk` → `Walk`, `WALK` → `Walk`, `fastWalk` → `FastWalk`.
 fn capitalised(word: &str) -> String {
     let mut letters = word.chars();
     let Some(first) = letters.next() else {

@@ -1,6 +1,6 @@
 //! Syntax of the names that a program chooses itself (T.I.P. 3.1 §4-3, §4-4).
 
-/// The most bytes of a name.
+/// Maximum length of a name, bytes.
 pub const LIMIT: usize = 32;
 
 /// Returns true if a word, in capital letters, has the form of the name of a variable.

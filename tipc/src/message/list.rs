@@ -4,7 +4,7 @@ use super::say::{Said, Say};
 use super::{Cut, Lang, Message};
 use std::fmt::{self, Formatter};
 
-/// The most pieces of a path that are shown.
+/// Maximum number of pieces of a path that are shown.
 const PIECES: usize = 8;
 
 /// Things with a comma between them: `a, b, c`.

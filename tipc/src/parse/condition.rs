@@ -4,7 +4,7 @@
 //! condition = operand relation operand | FLAG | "!" FLAG
 //! ```
 //!
-//! What else stands there is worded in [`recover::condition`](super::recover::condition).
+//! [`recover::condition`](super::recover::condition) words the diagnostic of anything else.
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
@@ -13,7 +13,7 @@ use crate::source::Span;
 use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
 
 impl Reader<'_> {
-    /// `a REL b`, `FLAG` or `!FLAG`.
+    /// Reads `a REL b`, `FLAG` or `!FLAG`.
     pub(super) fn condition(&mut self) -> Parsed<Condition> {
         match self.peek() {
             None => Err(self.missing_condition()),
@@ -28,7 +28,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `!FLAG`; the sign is already taken.
+    /// Reads `FLAG` after its `!`.
     fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
         match self.peek() {
             Some(word) if self.is_negatable(word) => {
@@ -47,7 +47,7 @@ impl Reader<'_> {
         token.kind == Kind::Word && !token.spaced && !self.slice(token.span).starts_with('(')
     }
 
-    /// Goes on after the first operand, which may be a flag.
+    /// Reads the rest of a condition after its first operand, which may be a flag.
     fn comparison_or_flag(&mut self, left: Operand) -> Parsed<Condition> {
         match self.peek() {
             Some(Token {
@@ -65,7 +65,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `a REL b` after its relation.
+    /// Reads `b` of `a REL b`.
     fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
         if let Some(fault) = self.relation_in_pieces(relation, sign) {
             return Err(fault);
@@ -81,7 +81,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `FLAG`
+    /// Returns the condition of a flag.
     fn flag(&self, operand: Operand) -> Parsed<Condition> {
         match operand.kind {
             OperandKind::Name(name) if !operand.negative => Ok(Condition::Flag {

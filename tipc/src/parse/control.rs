@@ -9,7 +9,7 @@
 //! GOTO [NAME:]                    GOSUB NAME:                    CALL NAME:
 //! ```
 //!
-//! What else stands there is worded in [`recover::control`](super::recover::control).
+//! [`recover::control`](super::recover::control) words the diagnostic of anything else.
 
 use super::reader::{Fault, Parsed, Reader};
 use super::recover::control::written;
@@ -20,11 +20,11 @@ use crate::message::{Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Condition, Counting, Jump, Operand, OperandKind, StatementKind, Then, Word};
 
-/// A statement and, if something after it is wrong, what; or only what is wrong.
+/// A statement with the fault of the text after it, if there is one; or the fault of the statement.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
 
 impl Reader<'_> {
-    /// `IF condition THEN`, `IF condition GOTO NAME:`, `IF condition GOSUB NAME:`
+    /// Reads `IF condition THEN`, `IF condition GOTO NAME:` or `IF condition GOSUB NAME:`.
     pub(super) fn if_statement(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
         let (then, end) = self.then()?;
@@ -64,7 +64,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `ELSEIF condition THEN`
+    /// Reads `ELSEIF condition THEN`.
     pub(super) fn else_if(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
         let end = match self.take_word(Keyword::Then) {
@@ -76,21 +76,21 @@ impl Reader<'_> {
         Ok((StatementKind::ElseIf { keyword, condition }, end))
     }
 
-    /// `WHILE condition`
+    /// Reads `WHILE condition`.
     pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.last_condition()?);
         let end = self.end_of_condition();
         Ok((StatementKind::While { keyword, condition }, end))
     }
 
-    /// `UNTIL condition`
+    /// Reads `UNTIL condition`.
     pub(super) fn until(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.last_condition()?);
         let end = self.end_of_condition();
         Ok((StatementKind::Until { keyword, condition }, end))
     }
 
-    /// Reads a condition after which nothing may stand. In `INPOS ALL` half a flag is none.
+    /// Reads a condition after which nothing may stand. `INPOS ALL` is reported as a flag in two words.
     fn last_condition(&mut self) -> Parsed<Condition> {
         let condition = self.condition()?;
         match self.half_a_flag() {
@@ -106,7 +106,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `FOR variable = a TO b`, `FOR variable = a TO b STEP c`
+    /// Reads `FOR variable = a TO b` or `FOR variable = a TO b STEP c`.
     pub(super) fn for_statement(&mut self, keyword: Span) -> Read {
         let variable = self.loop_variable()?;
         self.expect_assignment()?;
@@ -164,7 +164,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `NEXT`, `NEXT variable`
+    /// Reads `NEXT` or `NEXT variable`.
     pub(super) fn next_statement(&mut self, keyword: Span) -> Read {
         let variable = match self.left() {
             0 => None,
@@ -182,7 +182,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `SUBROUTINE NAME:` and `THREAD NAME:`.
+    /// Reads `SUBROUTINE NAME:` or `THREAD NAME:`.
     pub(super) fn routine(&mut self, word: Keyword, keyword: Span) -> Read {
         let name = self.declared_name(written(word, "NAME".into()))?;
         let (name, end) = match self.peek() {
@@ -200,7 +200,7 @@ impl Reader<'_> {
         Ok((kind, end))
     }
 
-    /// `DEFINE NAME value`
+    /// Reads `DEFINE NAME value`.
     pub(super) fn constant(&mut self, keyword: Span) -> Read {
         let help = Parsing::WriteDefine;
         let name = self.declared_name(help.clone())?;
@@ -225,7 +225,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `CALL NAME:` and `GOSUB NAME:`.
+    /// Reads `CALL NAME:` or `GOSUB NAME:`.
     pub(super) fn call(
         &mut self,
         keyword: Span,
@@ -240,7 +240,7 @@ impl Reader<'_> {
         Ok((make(jump), end))
     }
 
-    /// `GOTO`, `GOTO NAME:`
+    /// Reads `GOTO` or `GOTO NAME:`.
     pub(super) fn goto_statement(&mut self, keyword: Span) -> Read {
         let (jump, colon) = self.goto(keyword)?;
         let end = colon.and_then(|()| self.expect_end(End::Label));
@@ -271,7 +271,7 @@ fn as_in_for(fault: Fault) -> Fault {
 }
 
 impl Reader<'_> {
-    /// `GOTO [NAME:]`; the jump's word is already taken.
+    /// Reads the optional `NAME:` after GOTO.
     pub(super) fn goto(&mut self, keyword: Span) -> Parsed<(Jump, Parsed<()>)> {
         if self.left() == 0 {
             let jump = Jump {
@@ -284,7 +284,7 @@ impl Reader<'_> {
         self.jump(keyword, Keyword::Goto)
     }
 
-    /// `GOSUB NAME:` or `CALL NAME:`; the jump's word is already taken. One without its colon leads there, too.
+    /// Reads `NAME:` after GOSUB or CALL. A name without its colon is reported and still used.
     pub(super) fn jump(&mut self, keyword: Span, name: Keyword) -> Parsed<(Jump, Parsed<()>)> {
         let (label, colon) = self.jump_label(name)?;
         let jump = Jump {
@@ -295,7 +295,7 @@ impl Reader<'_> {
         Ok((jump, colon))
     }
 
-    /// Reads a label, and what is wrong with its colon.
+    /// Reads a label, with the fault of its colon if there is one.
     fn jump_label(&mut self, jump: Keyword) -> Parsed<(Word, Parsed<()>)> {
         if let Some(fault) = self.marked_label_of_jump() {
             return Err(fault);

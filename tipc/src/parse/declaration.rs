@@ -1,6 +1,6 @@
 //! `DEF_VAR NAME …`, `DEF_POS NAME …`, `DEF_JOINT NAME …` (T.I.P. 3.1 §4-4).
 //!
-//! What else stands there is worded in [`recover::declaration`](super::recover::declaration).
+//! [`recover::declaration`](super::recover::declaration) words the diagnostic of anything else.
 
 use super::Parser;
 use super::recover::declaration::hyphened;
@@ -13,7 +13,7 @@ use crate::source::Span;
 use crate::syntax::{StatementKind, VariableKind, Word};
 
 impl Parser<'_> {
-    /// `DEF_… NAME NAME …`: the names as written; what is not a word is reported.
+    /// Reads `DEF_… NAME NAME …` with the names as written, and reports tokens that are not words.
     ///
     /// Another declaration inside it, `DEF_VAR A, DEF_POS P`, is reported and read as a statement of its own.
     pub(super) fn define(
@@ -77,7 +77,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Finds another declaration inside one: `DEF_VAR A, DEF_POS P`.
+    /// Returns the index of another declaration inside of one: `DEF_VAR A, DEF_POS P`.
     fn declares_again(&self, tokens: &[Token]) -> Option<usize> {
         let declares = |token: &Token| {
             let word = self.source.slice(token.span);

@@ -5,7 +5,7 @@
 //! value    = operand | operand ("+" | "-" | "*" | "/") operand | FUNCTION {operand}
 //! ```
 //!
-//! What else stands there is worded in [`recover::equation`](super::recover::equation).
+//! [`recover::equation`](super::recover::equation) words the diagnostic of anything else.
 
 use super::reader::{Parsed, Reader};
 use super::recover::equation::in_function;

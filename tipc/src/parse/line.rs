@@ -42,7 +42,7 @@ impl Parser<'_> {
         flow
     }
 
-    /// `NAME:`
+    /// Reads `NAME:`.
     fn label(&mut self, word: Span, span: Span) -> Flow {
         if let Some(flow) = self.no_label(word, span) {
             return flow;

@@ -5,7 +5,7 @@
 //! command = word {operand}
 //! ```
 //!
-//! What else stands there is worded in [`recover::operand`](super::recover::operand).
+//! [`recover::operand`](super::recover::operand) words the diagnostic of anything else.
 
 use super::Parser;
 use super::reader::{Parsed, Reader};
@@ -116,7 +116,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `NAME`, `NAME.MEMBER`; a special variable begins with its sign.
+    /// Reads `NAME` or `NAME.MEMBER`. The name of a special variable begins with `@`.
     fn name(&self, word: &str, span: Span) -> Parsed<OperandKind> {
         let sign = usize::from(self.is_reading(word));
         let (name, member) = match word.split_once('.') {
@@ -142,7 +142,7 @@ impl Reader<'_> {
 }
 
 impl Reader<'_> {
-    /// Operands up to the end; at the first bad one, those before it and what is wrong.
+    /// Reads operands up to the end. At the first bad one it stops, and returns those before it and the fault.
     ///
     /// After an operand a sign belongs to the next one and needs a delimiter before it.
     pub(super) fn operands(&mut self) -> (Vec<Operand>, Parsed<()>) {
@@ -162,8 +162,9 @@ impl Reader<'_> {
 }
 
 impl Parser<'_> {
-    /// Reads a command word and its arguments. Whether the command exists is not known here, and a misspelt one is
-    /// reported as such, whatever follows it: so faults in its arguments travel with it.
+    /// Reads a command word and its arguments. The parser does not look the command up: only the checker knows if it
+    /// exists. A misspelt command is reported instead of its arguments, so the statement carries their fault to the
+    /// checker.
     pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
         let mut reader = Reader::new(self.text, tokens, 1, Code::Argument, self.module.edition);
         let (arguments, read) = reader.operands();

@@ -1,4 +1,4 @@
-//! A walk over the tokens of one statement.
+//! Reader of the tokens of one statement.
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, MistakeId};
@@ -11,16 +11,16 @@ use crate::syntax::{Relation, Word, upper_case};
 use smol_str::SmolStr;
 use tip_runtime::command::READING;
 
-/// Part of a statement that is broken, as far as what follows depends on it.
+/// The broken part of a statement. Callers choose the help by it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Broken {
-    /// Something else than THEN or a jump stands in its place, or nothing.
+    /// THEN or a jump is missing after the condition of an IF.
     Then,
-    /// Signs that were meant as this relation.
+    /// Signs of another language that mean this relation.
     Relation(Relation),
-    /// A sign that belongs to no operand.
+    /// A sign without an operand.
     Sign,
-    /// Something else.
+    /// Any other part.
     Other,
 }
 
@@ -65,12 +65,12 @@ impl From<Diagnostic> for Fault {
     }
 }
 
-/// A piece of a statement, or what is wrong with it.
+/// A piece of a statement, or its fault.
 pub(super) type Parsed<T> = Result<T, Fault>;
 
-/// Reads tokens one by one; its faults carry one code.
+/// The tokens of a statement, read one by one. All of its faults have one code.
 pub(super) struct Reader<'a> {
-    /// The text that this reads.
+    /// The text of the source.
     pub(super) text: &'a str,
     tokens: &'a [Token],
     at: usize,
@@ -195,7 +195,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `1,000` or `4,5`: two numbers with nothing but a comma between them.
+    /// Returns the help for two numbers with only a comma between them, as in `1,000` or `4,5`.
     pub(super) fn comma_number(&self, before: Span, after: Span) -> Option<Suggestion> {
         let is_glued = self.text.get(before.end..after.start) == Some(",");
         let (before, after) = (self.slice(before), self.slice(after));
@@ -221,7 +221,7 @@ impl<'a> Reader<'a> {
         self.fault(span, reason).help(help)
     }
 
-    /// Checks that nothing is left; `help` unless another statement follows.
+    /// Checks that nothing is left. The help is `help`, unless another statement follows.
     pub(super) fn expect_end_or(&self, end: End, help: impl Into<Message>) -> Parsed<()> {
         self.expect_end(end).map_err(|fault| {
             let next = self.slice(self.here());

@@ -1,8 +1,8 @@
-//! Recovery: what a broken statement was to be, and how that is said.
+//! Recovery from broken statements, and the words of their diagnostics.
 //!
-//! The parser reads a statement straight on, and asks here where it cannot go on. The answer is a fault in the user's
-//! words, with what to write instead, or the role that the statement keeps among the blocks. Most guesses are at what
-//! another language writes: BASIC, C, Python. Rules of the language do not belong here.
+//! The parser reads a statement from left to right and calls these functions where it cannot go on. They return a fault
+//! that names what to write instead, or the role that the statement keeps among the blocks. Most of them recognise
+//! words of other languages: BASIC, C, Python. Rules of T.I.P. do not belong here.
 
 pub(super) mod brace;
 pub(super) mod characters;

@@ -1,4 +1,4 @@
-//! One statement: which family it is of.
+//! Choice of the reader of a statement.
 //!
 //! ```text
 //! statement = END | MESSAGE text | F_MESSAGE text | REM text
@@ -22,7 +22,7 @@ use crate::syntax::{Shape, StatementKind};
 struct First {
     keyword: Option<Keyword>,
     word: Span,
-    /// A brace or colon that opens a block was taken off its end.
+    /// True if a brace or colon that opens a block was removed from its end.
     is_opened: bool,
 }
 
@@ -65,7 +65,7 @@ impl Parser<'_> {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
-        // Of a statement whose first word is unknown the characters after it do not matter.
+        // If the first word is unknown, foreign characters after it are not reported as well.
         let foreign = foreign.filter(|foreign| {
             keyword.is_some()
                 || equation::looks_like_one(&tokens)
@@ -102,7 +102,7 @@ impl Parser<'_> {
         self.tokens = tokens;
     }
 
-    /// Reads a statement whose first word is known, if it is one of the language. `reported` says that characters in it
+    /// Reads a statement whose first word is a keyword, if there is one. `reported` is true if foreign characters in it
     /// are reported.
     fn kind(&mut self, first: First, tokens: &[Token], reported: bool) -> StatementKind {
         let First { keyword, word, .. } = first;
@@ -159,7 +159,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports a fault of a statement. A brace or colon that opens its block stands for a THEN, and is reported itself.
+    /// Reports a fault of a statement. A brace or colon that opens its block takes the place of THEN: then only that is
+    /// reported.
     fn report_broken(&mut self, first: First, fault: Fault) {
         if !first.is_opened || fault.broken != Broken::Then {
             self.report(*fault.diagnostic);
@@ -187,13 +188,13 @@ impl Parser<'_> {
             Keyword::Goto => reader.goto_statement(word),
             Keyword::Return => reader.alone(keyword, StatementKind::Return),
             Keyword::Exit => reader.alone(keyword, StatementKind::Exit),
-            // The others start no statement, or are read elsewhere.
+            // Other keywords start no statement, or are read elsewhere.
             _ => return None,
         })
     }
 }
 
-/// `ELSE`, `ENDIF`, `WEND`, `REPEAT`: the words that are alone on their line.
+/// Returns the statement of a word that is alone on its line: `ELSE`, `ENDIF`, `WEND`, `REPEAT`.
 pub(super) fn lone_word(keyword: Keyword) -> Option<StatementKind> {
     Some(match keyword {
         Keyword::Else => StatementKind::Else,

@@ -9,10 +9,10 @@ use crate::message::Parsing;
 use crate::source::{Span, first_beyond};
 use crate::syntax::{Shape, Spanned, StatementKind};
 
-/// The most bytes that a MESSAGE text may have.
+/// Maximum length of a MESSAGE text, bytes.
 const TEXT_LIMIT: usize = 70;
 
-/// The most bytes that an F_MESSAGE text may have.
+/// Maximum length of an F_MESSAGE text, bytes.
 const FILE_TEXT_LIMIT: usize = 200;
 
 impl Parser<'_> {

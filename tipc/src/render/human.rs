@@ -8,24 +8,24 @@ use crate::source::{Source, Span, first_beyond};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::ops::Range;
 
-/// The most lines between two locations that are still shown as one snippet.
+/// Maximum number of lines between two locations that are shown in one excerpt.
 const NEAR: u32 = 30;
-/// The most other locations that are shown.
+/// Maximum number of other locations that are shown.
 const LOCATIONS: usize = 8;
 
-/// Some lines, with a line end after each, and where they are. Lines are put together again, so that an old
-/// carriage return does not blur them, and that a far location or an endless line does not drag the whole file along.
+/// Some lines of a source, each with a line end, and their places. Only these lines are copied, with plain line ends:
+/// annotate-snippets would show carriage returns and copy the whole file.
 struct Excerpt {
     first: u32,
     text: String,
     lines: Vec<Shown>,
 }
 
-/// A line of a window.
+/// A line of an excerpt.
 struct Shown {
-    /// The bytes of the source.
+    /// Its bytes in the source.
     span: Span,
-    /// The bytes of the window.
+    /// Its bytes in the text of the excerpt.
     range: Range<usize>,
 }
 
@@ -49,7 +49,7 @@ impl Excerpt {
         window
     }
 
-    /// Returns the range of a span in the window, cut to its first line; `None` if elsewhere.
+    /// Returns the range of a span in the excerpt, cut to its first line; `None` if it is elsewhere.
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
         let after = self.lines.partition_point(|it| it.span.start <= span.start);
         let line = &self.lines[after.checked_sub(1)?];

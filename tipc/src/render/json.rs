@@ -92,7 +92,7 @@ fn push_labels(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang:
     });
 }
 
-/// Ways to put it right, each with what is to be changed.
+/// Writes the fixes, each with its edits.
 fn push_fixes(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
     out.push_str(",\"fixes\":");
     push_objects(out, &diagnostic.fixes, |out, fix| {

@@ -118,7 +118,7 @@ impl Source {
 /// Number of bytes of the text between two columns of an index.
 const STRIDE: usize = 1024;
 
-/// A character of a line, and the number of units before it on that line.
+/// The column of a character, in every unit. The counts are the units before it on its line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Column {
     /// The byte of the text.
@@ -162,8 +162,8 @@ impl Column {
     }
 }
 
-/// Columns along long lines, in the order of the text. With them no conversion of a position counts the characters of a whole
-/// line, which may hold a great many positions.
+/// Known columns of long lines, one for each [`STRIDE`] bytes, in the order of the text. A conversion counts characters
+/// from the nearest one, since a line may be long and have many positions to convert.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct ColumnIndex(Vec<Column>);
 
@@ -173,7 +173,7 @@ impl ColumnIndex {
         for line in source.lines() {
             let first = Column::first(line.span.start);
             let mut next = STRIDE;
-            // The columns of other lines are not counted.
+            // Short lines need no known columns.
             if line.span.end - line.span.start < STRIDE {
                 continue;
             }
@@ -187,7 +187,8 @@ impl ColumnIndex {
         ColumnIndex(columns)
     }
 
-    /// Returns the last known column of a line that fits; the first one fits. Those before a column that fits do, too.
+    /// Returns the last known column of a line for which `fits` is true. `fits` must be true for the columns before
+    /// such a column as well.
     fn last(&self, line: Span, fits: impl Fn(&Column) -> bool) -> Column {
         let start = self.0.partition_point(|it| it.offset < line.start);
         let end = self.0.partition_point(|it| it.offset <= line.end);

@@ -1,7 +1,7 @@
 //! Comments that silence warnings: `// tip: allow(W112)`.
 //!
-//! At the end of a line it is for that line; on a line of its own for the next statement; above the first statement for
-//! the whole program.
+//! At the end of a line, such a comment applies to that line; on a line of its own, to the next statement; above the
+//! first statement, to the whole program.
 
 use crate::message::Allowing;
 use std::collections::HashMap;
@@ -46,7 +46,7 @@ impl Allows {
             return allows;
         }
         let is_blank = |code: Span| source.slice(code).trim().is_empty();
-        // The next line with text after END, where no statements tell it.
+        // The next line with text after END, where there are no statements.
         let mut below = 0;
         for line in source.lines().filter(|line| line.number != 2) {
             let (code, comment) = split_comment(text, line.span);
@@ -75,7 +75,7 @@ impl Allows {
             let faults = allows.faults.len();
             allows.read(source, list, line);
             if is_after_end {
-                // Comments of notes are no comments of the program.
+                // Comments in the notes after END are not part of the program.
                 allows.faults.truncate(faults);
                 let kept = allows.allows.split_off(known);
                 let kept = kept.into_iter().filter(|it| it.code == Code::AfterEnd);
@@ -133,7 +133,7 @@ impl Allows {
                 continue;
             };
             silences = true;
-            // The first diagnostic marks all of them.
+            // All of these comments are used once one diagnostic matches.
             for allow in alike.drain(..) {
                 self.allows[allow].silences = true;
             }
@@ -141,7 +141,7 @@ impl Allows {
         silences
     }
 
-    /// Warnings about the comments: what they say wrong, and those that silence nothing.
+    /// Returns the warnings about comments that are wrong or silence nothing.
     pub(crate) fn warnings(&mut self, source: &Source) -> Diagnostics {
         let is_judged = |code: Code| code != Code::Allow && !is_found_later(code);
         let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
@@ -157,8 +157,8 @@ impl Allows {
     }
 }
 
-/// Returns what is between the parentheses of such a comment, or the comment if there are none; nothing of any other
-/// comment.
+/// Returns the text between the parentheses of such a comment, or the comment as the error if it has none; `None` for
+/// any other comment.
 fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
     let after = |from: usize, word: &str| {
         let rest = text.get(from..comment.end)?;

@@ -13,18 +13,18 @@ pub struct CoveragePoint {
     pub way: Option<&'static str>,
 }
 
-/// A point between steps that a run can be at.
+/// A state of a run between two steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ProgramPoint {
     /// The step that runs next.
     pub step: StepId,
-    /// It is reached from an IF or ELSEIF that was false.
+    /// True if it is reached from an IF or ELSEIF that was false.
     pub not_taken: bool,
 }
 
-/// The coverage points that the flow of control can come to. An IF has two edges; an ELSEIF has three, since the branch
-/// above it passes it; a call has one on which it is returned from, whichever RETURN takes it. A step with a single
-/// successor has none.
+/// The coverage points that the flow of control can reach. An IF has two edges. An ELSEIF has three, since a run that
+/// comes from the branch above passes it. A call has one edge for its return, from whichever RETURN. A step with a
+/// single successor has no edges.
 #[derive(Clone, Debug)]
 pub struct CoveragePoints {
     flow: Flow,
@@ -90,7 +90,7 @@ impl CoveragePoints {
         self.points.len() - 1
     }
 
-    /// Returns the edge from a node to another, in a word.
+    /// Returns the name of the edge from a node to another one.
     fn way(&self, action: &Action, node: &Node, to: NodeId) -> &'static str {
         let goes_on = to == self.flow.first(node.step + 1);
         match (action, goes_on) {
@@ -150,7 +150,8 @@ const fn truth(is_true: bool) -> &'static str {
     if is_true { "true" } else { "false" }
 }
 
-/// Returns for each node whether paths from `starts` lead to it. `more` adds nodes that follow one besides its `next`.
+/// Returns true for each node that a path from `starts` reaches. `more` returns further successors of a node besides
+/// its `next`.
 pub(crate) fn reached(
     flow: &Flow,
     starts: &[NodeId],

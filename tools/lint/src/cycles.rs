@@ -1,11 +1,10 @@
 //! Numbers of control cycles that parts of a program take (T.I.P. 3.1 §10-3: one command a cycle).
 //!
-//! The counts are exact over all paths of the control flow: the minimum is the shortest path,
-//! the maximum the longest one, and there is none where a path can loop. A call counts with what
-//! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
-//! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
-//! ten open calls are one. Where the same steps belong to very many parts, counting ends early, and says so. A part
-//! counts in steps of its own thread: that is in cycles if a cycle runs one step.
+//! The counts are exact over all paths of the control flow: the minimum is the shortest path, the maximum the longest
+//! one, and there is none where a path can loop. A call counts with what its subroutine takes, a FOR over constants
+//! with its turns. A step that waits counts as its minimum, and marks its part. A subroutine that calls itself has no
+//! bound here, although ten open calls are one. Where the same steps belong to very many parts, counting ends early,
+//! and says so. A part counts in steps of its own thread: that is in cycles if a cycle runs one step.
 
 mod counted;
 mod graph;
@@ -35,7 +34,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Returns the step that it is known by: the turn of a FOR by the FOR, not by the first step of its body.
+    /// Returns the step that names the part: the FOR for a turn of a FOR, which begins at the first step of its body.
     pub fn first_step(&self, program: &Program) -> StepId {
         match self.span {
             Span::Subroutine { entry } => entry,
@@ -52,12 +51,12 @@ impl Part {
 /// A part of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Span {
-    /// From the step that GOSUB or CALL leads to, up to its RETURN or SUBEND and with it.
+    /// The steps from the target of a GOSUB or CALL up to and including its RETURN or SUBEND.
     Subroutine {
         /// The first step.
         entry: StepId,
     },
-    /// One turn of a loop: from a step that a jump leads back to until it is reached again.
+    /// One turn of a loop, from a step that a jump leads back to until that step is reached again.
     Turn {
         /// First step; for a FOR, the first one of its body.
         head: StepId,
@@ -66,7 +65,7 @@ pub enum Span {
         /// Number of turns of a FOR over constants.
         turns: Option<u64>,
     },
-    /// From a label, or the beginning, to the next label or the end, calls included.
+    /// The steps from a label, or the beginning, to the next label or the end, including calls.
     Stretch {
         /// The label's step, or 0.
         from: StepId,
@@ -91,11 +90,11 @@ pub enum Stop {
 /// Number of cycles that a part of a program takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// The least.
+    /// The minimum.
     pub min: u64,
-    /// The most, outside waits; `None` if nothing bounds it.
+    /// The maximum without waits; `None` if there is no bound.
     pub max: Option<u64>,
-    /// Some path through the part waits: there it may take longer.
+    /// True if a path through the part waits, and may take longer.
     pub waits: bool,
 }
 
@@ -108,7 +107,7 @@ impl Count {
         }
     }
 
-    /// Adds another number: this, and then that.
+    /// Returns the number for this part followed by another one.
     fn then(self, other: Count) -> Count {
         Count {
             min: self.min.saturating_add(other.min),
@@ -125,7 +124,7 @@ impl Count {
         }
     }
 
-    /// Multiplies by up to a number of turns, or none.
+    /// Returns the number for 0 to `turns` turns.
     fn at_most(self, turns: u64) -> Count {
         match turns {
             0 => Count::exactly(0),
@@ -183,7 +182,7 @@ fn line_with(program: &Program, is_it: impl Fn(Op) -> bool) -> Option<u32> {
 pub struct Parts {
     /// Subroutines, then turns of loops, then stretches, each in the order of steps.
     pub counted: Vec<Part>,
-    /// There are more, whose paths cross too often to be counted.
+    /// True if further parts were not counted because they have too many paths.
     pub has_more: bool,
 }
 
@@ -219,7 +218,7 @@ fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
     returning.collect()
 }
 
-/// Returns the stretches, and true if those are all.
+/// Returns the stretches, and true if none is left out.
 fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     let work = Work::of(flow.nodes().len());
     let labels: BTreeSet<NodeId> = program

@@ -1,5 +1,5 @@
-//! Fixes: for what a diagnostic says, the changes of the text that put it right. It judges no program: what the checker knows
-//! is in the diagnostic's messages, the rest in the statement around its location.
+//! Fixes: changes of the text that remove a diagnostic. They are derived from the messages of the diagnostic and the
+//! statement around its location, not from the checked program.
 
 mod statements;
 pub(crate) mod texts;
@@ -13,10 +13,10 @@ use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
 use tipc::syntax::{Module, Statement};
 
-/// A function that knows the changes for a diagnostic.
+/// A function that returns the fix of a diagnostic, if it has one.
 pub(crate) type Fixer = fn(&Site<'_>) -> Option<Fix>;
 
-/// Sources of fixes, asked in this order. The first answer counts.
+/// Sources of fixes. The first one with a fix counts.
 const FIXERS: &[Fixer] = &[
     texts::characters,
     texts::messages,
@@ -27,7 +27,7 @@ const FIXERS: &[Fixer] = &[
     statements::declarations,
 ];
 
-/// Gives each diagnostic the fix that is known for it; `of_word` knows that of a word of another language.
+/// Adds a fix to each diagnostic that has one. `of_word` returns the source of fixes for a word of another language.
 pub(crate) fn attach(
     source: &Source,
     module: &Module,
@@ -51,14 +51,16 @@ pub(crate) fn attach(
     }
 }
 
-/// Returns true if its edits change the text, follow each other, and write only what every encoding has alike.
+/// Returns true if the edits change the text, do not overlap, and insert only ASCII, which is the same in every
+/// encoding.
 fn is_sound(source: &Source, fix: &Fix) -> bool {
     let is_change = |edit: &Edit| source.slice(edit.span) != edit.text && edit.text.is_ascii();
     let follows = |pair: &[Edit]| pair[0].span.end <= pair[1].span.start;
     !fix.edits.is_empty() && fix.edits.iter().all(is_change) && fix.edits.windows(2).all(follows)
 }
 
-/// The most bytes of a statement whose diagnostics are put right: what each of many diagnostics looks at must not be long.
+/// Maximum length of a statement whose diagnostics are fixed, bytes. A statement may have many diagnostics, each of
+/// which reads all of it.
 const MAX_STATEMENT_BYTES: usize = 4 * LINE_LIMIT;
 
 /// A diagnostic in its file.
@@ -99,7 +101,7 @@ impl<'a> Site<'a> {
         self.index().map(|index| &self.module.statements[index])
     }
 
-    /// Returns the words and operators of the statement around the diagnostic; none of one that no line can hold.
+    /// Returns the tokens of the statement around the diagnostic; nothing if it is longer than [`MAX_STATEMENT_BYTES`].
     fn tokens(&self) -> Vec<Token> {
         let is_short = |it: &&Statement| it.span.end - it.span.start <= MAX_STATEMENT_BYTES;
         let statement = self.statement().filter(is_short);
@@ -139,7 +141,7 @@ impl<'a> Site<'a> {
         format!("{}{indent}", self.line_end())
     }
 
-    /// `word` in small letters if that is how the statement begins.
+    /// Returns `word`, in small letters if the statement begins with small letters.
     fn like(&self, word: &str) -> String {
         let start = self.statement().map_or(self.span(), |it| it.span);
         let letters = || {
@@ -155,12 +157,12 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// Returns a keyword in the place of what stands there.
+    /// Creates an edit that replaces a location by a keyword.
     fn write(&self, location: Span, word: &str) -> Edit {
         Edit::replace(location, self.like(word))
     }
 
-    /// Returns a keyword after what ends at `at`.
+    /// Creates an edit that adds a keyword after the text that ends at `at`.
     fn append(&self, at: usize, word: &str) -> Edit {
         Edit::insert(at, format!(" {}", self.like(word)))
     }

@@ -1,8 +1,7 @@
 //! Programs in the one style of docs/style.md: blanks, capital letters, indentation, comments in columns.
 //!
-//! Lines are neither joined nor parted nor moved, and no byte of a comment, of a text, of the first two lines or of what
-//! follows END changes, whatever the encoding. **What is written back is the same program**: each call reads it again and
-//! compares the statements.
+//! Lines are not joined, split or moved. Comments, texts, the first two lines and everything after END keep every byte
+//! in any encoding. **The result is the same program**: each call parses it and compares the statements.
 //!
 //! ```
 //! use tip_lint::{Options, format::format};
@@ -35,12 +34,12 @@ const SEPARATOR: &str = " ; ";
 /// Minimum space between code and its comment, columns.
 const GAP: usize = 2;
 
-/// Reasons why a file is left as it is.
+/// Reason why a file is not formatted.
 #[derive(Clone, Debug)]
 pub enum Refusal {
-    /// It does not load; what is wrong with it.
+    /// It does not load. The diagnostics tell why.
     Diagnostics(Box<Loaded>),
-    /// It loads, and cannot be written in the style.
+    /// It loads, but cannot be written in the style.
     Because(Formatting),
 }
 
@@ -128,9 +127,9 @@ struct Layout<'a> {
     source: &'a Source,
     rows: Vec<Row>,
     code: Vec<u8>,
-    /// Number of open blocks.
+    /// Number of blocks that are open at the line.
     depth: usize,
-    /// END is passed.
+    /// True after END.
     ended: bool,
 }
 
@@ -146,7 +145,7 @@ impl Layout<'_> {
         let mut length = self.statements(statements, code);
         let mut comment = comment.unwrap_or(Span::new(line.span.end, line.span.end));
         if self.ended && self.says_more(statements, code) {
-            // So is what follows END on its line.
+            // The text after END on its line is not part of the program either.
             let rest = Span::new(
                 statements.last().map_or(code.end, |end| end.span.end),
                 line.span.end,
@@ -184,7 +183,7 @@ impl Layout<'_> {
         });
     }
 
-    /// Returns true if more than a comment follows END on its line.
+    /// Returns true if END has other text than a comment after it on its line.
     fn says_more(&self, statements: &[Statement], code: Span) -> bool {
         let Some(end) = statements.last() else {
             return false;
@@ -193,7 +192,7 @@ impl Layout<'_> {
         !rest.trim_matches(DELIMITERS).trim_matches(';').is_empty()
     }
 
-    /// Returns the blanks before a line; what its statements open and close counts from now on.
+    /// Returns the number of blanks before a line, and counts the blocks that its statements open and close.
     fn indent(&mut self, statements: &[Statement]) -> usize {
         let mut own = self.depth;
         let mut begins = true;
@@ -288,7 +287,7 @@ impl Layout<'_> {
         self.put(&word)
     }
 
-    /// Writes what the file has there, to the byte.
+    /// Writes the bytes of the file at a span unchanged.
     fn copy(&mut self, span: Span) -> usize {
         self.code.extend_from_slice(self.source.original(span));
         byte_length(self.source.slice(span))
@@ -308,7 +307,7 @@ struct Row {
     length: usize,
     comment: Span,
     end: Span,
-    /// It is copied as it is, however long.
+    /// True for a line that is copied unchanged at any length.
     verbatim: bool,
 }
 
@@ -392,7 +391,7 @@ impl Rows {
     /// Returns the line end of a row, unchanged. The last line ends like the one before it, if it did not end.
     fn end<'a>(&self, row: &Row, source: &'a Source, out: &[u8]) -> &'a [u8] {
         match source.original(row.end) {
-            // Together with the end before it, this would be one.
+            // A LF after the CR of the line before would make one line end of both.
             b"\n" if out.ends_with(b"\r") => b"\r",
             b"" => {
                 let before = self.rows.iter().rev().map(|row| source.original(row.end));
@@ -410,8 +409,8 @@ fn blanks(out: &mut Vec<u8>, count: usize) {
     out.resize(out.len() + count, b' ');
 }
 
-/// Checks that both have the same statements, without a mistake, and that all text is read as before. The passes after
-/// the parser see the fields of statements and not how they are laid out, so equal fields make an equal program.
+/// Checks that both texts have the same statements, without a mistake, and that comments and texts are read as before.
+/// The passes after the parser see only the fields of statements, so equal fields make an equal program.
 fn check(before: &Parsed, formatted: &[u8], options: &Options) -> Result<(), Formatting> {
     let name = before.source.name();
     let (after, undecodable) = Source::decode(name, formatted, options.encoding);

@@ -24,8 +24,8 @@ use tipc::code::Level;
 use tipc::diagnostic::{Diagnostic, Omitted};
 use tipc::load::lowered;
 
-/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes. Many errors of a program that
-/// has none for another built-in robot are one error, which names that robot.
+/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and fixes. If the program has many
+/// errors, but none for another built-in robot, a single error names that robot.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let mut loaded = load_all_errors(name, bytes, options);
     if let Some(robot) = other_robot(&loaded, bytes, options) {
@@ -34,7 +34,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     loaded
 }
 
-/// Loads a program as [`load`] does, with every error of one that was written for another robot.
+/// Loads a program as [`load`] does, but keeps all errors of a program for another robot.
 pub fn load_all_errors(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
     let found = lints::find(&loaded, found, bytes, options);
@@ -49,7 +49,7 @@ pub fn load_all_errors(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     loaded
 }
 
-/// Number of errors from which on other robots are tried.
+/// Minimum number of errors for which other robots are tried.
 const MANY: usize = 4;
 
 fn errors(loaded: &Loaded) -> impl Iterator<Item = &Diagnostic> {
@@ -59,7 +59,8 @@ fn errors(loaded: &Loaded) -> impl Iterator<Item = &Diagnostic> {
 
 /// Returns the robot for which a program with many errors has none.
 fn other_robot(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<&'static str> {
-    // A text with more errors than are reported is no program of any robot, and reading it again would take its memory again.
+    // A text with more errors than are reported is no program for any robot, and another attempt would need as much
+    // memory again.
     if errors(loaded).count() < MANY || loaded.omitted.count() > 0 {
         return None;
     }
@@ -76,7 +77,7 @@ fn other_robot(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<&'sta
     others.find(fits).map(Robot::name)
 }
 
-/// Replaces all diagnostics by one, at the first error: they are one mistake.
+/// Replaces all diagnostics by one at the first error: the choice of the robot is the only mistake.
 fn report_robot(loaded: &mut Loaded, robot: &'static str, chosen: &'static str) {
     let Some(mut one) = errors(loaded).next().cloned() else {
         return;
@@ -90,7 +91,7 @@ fn report_robot(loaded: &mut Loaded, robot: &'static str, chosen: &'static str) 
     loaded.omitted = Omitted::default();
 }
 
-/// Adds warnings that others found about a program, except those that a comment silences.
+/// Adds warnings of another crate about a program, except those that a comment silences.
 pub fn add(loaded: &mut Loaded, found: Vec<Diagnostic>) {
     lints::add(loaded, found);
 }

@@ -1,6 +1,6 @@
 //! Lints: valid programs that are probably not what their author meant.
 //!
-//! A lint that fires on honest programs is wrong itself: each says in its file when it stays silent.
+//! A lint must not fire on programs without a mistake: its file documents when it stays silent.
 
 mod flow;
 mod message;
@@ -25,7 +25,7 @@ use tipc::source::{Encoding, Source, Span, looks_like};
 use tipc::symbols::Symbols;
 use tipc::syntax::{Module, Statement};
 
-/// A program, and where its steps come from.
+/// A program, and the source of its steps.
 #[derive(Clone, Copy)]
 struct LintContext<'a> {
     source: &'a Source,
@@ -36,7 +36,7 @@ struct LintContext<'a> {
     robot: Robot,
 }
 
-/// Adds the lints of a file to what was found in it, and leaves out what its comments silence.
+/// Adds the lints of a file to its diagnostics, without the warnings that its comments silence.
 pub(crate) fn find(
     loaded: &Loaded,
     mut found: Diagnostics,
@@ -75,11 +75,11 @@ pub(crate) fn add(loaded: &mut Loaded, found: Vec<Diagnostic>) {
 }
 
 impl LintContext<'_> {
-    /// Adds everything that its analysis gives reason to warn of to what was found before.
+    /// Adds the warnings about a program.
     fn warn(&self, found: &mut Diagnostics) {
         let mut warnings = Diagnostics::default();
         let meant = self.add_warnings(&mut warnings);
-        // That nothing reads what a text was to show is the same mistake.
+        // A variable that a text was meant to show is not also reported as unread.
         let is_meant = |name: &String| meant.names.contains(name.as_str());
         found.retain(|diagnostic| match diagnostic.code {
             Code::NeverRead if meant.any => false,
@@ -89,9 +89,9 @@ impl LintContext<'_> {
         found.append(warnings);
     }
 
-    /// Adds all warnings, and returns what texts were to show.
+    /// Adds all warnings, and returns the values that texts were meant to show.
     fn add_warnings(&self, found: &mut Diagnostics) -> message::MeantValues {
-        // Statements by themselves, and the values that they read.
+        // Single statements, and the values that they read.
         statements::unassigned(self, found);
         statements::commands(self, found);
         statements::swapped_signs(self, found);
@@ -128,7 +128,7 @@ fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
     )
 }
 
-/// Warns of a file that can be read, but not as what was written: in EUC-JP, say.
+/// Returns the warning about a file in an encoding that is read wrongly, such as EUC-JP.
 fn other_encoding(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<Diagnostic> {
     if options.encoding != Encoding::Auto {
         return None;
@@ -142,7 +142,7 @@ fn other_encoding(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<Di
     Some(diagnostic.help(Suggestion::OtherEncoding { encoding }))
 }
 
-/// Warns if line 2 is a statement that the program would load with, had it a title before.
+/// Returns the warning about a statement in line 2, if the program loads with a title put above it.
 fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
     let source = &loaded.source;
     let line = source.line(2).span;
@@ -165,7 +165,7 @@ fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
     Some(diagnostic.help(Suggestion::Title))
 }
 
-/// Returns true if these words begin a statement, and no title of one word.
+/// Returns true if these words begin a statement. A title of one word does not.
 fn is_statement(loaded: &Loaded, tokens: &[Token]) -> bool {
     let Some(first) = tokens.first() else {
         return false;
@@ -174,7 +174,7 @@ fn is_statement(loaded: &Loaded, tokens: &[Token]) -> bool {
     if matches!(tokens.get(1), Some(next) if matches!(next.kind, Kind::Assign(_))) {
         return true;
     }
-    // Anything may follow these.
+    // Any text may follow these words.
     let is_text = |meaning| {
         let words = [Keyword::Rem, Keyword::Message, Keyword::End];
         words.map(Meaning::Keyword).contains(&meaning)

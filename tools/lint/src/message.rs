@@ -324,7 +324,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// The way of T.I.P. to say what another language says otherwise.
+    /// Replacements for words of other languages.
     Foreign;
 
     ShowText
@@ -426,7 +426,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// The titles of fixes, and what is said of them.
+    /// The titles of fixes, and texts about fixes.
     Fixing;
 
     Replace { old: SmolStr, new: SmolStr }
@@ -472,7 +472,7 @@ tipc::message_table! {
         "show the text with MESSAGE, without quotes",
         "引用符を取り、MESSAGEで表示する";
 
-    // What `check` says of them.
+    // Texts of `check` about fixes.
     Fixed { diagnostics: Diagnostics }
         "fixed {diagnostics}",
         "{diagnostics}を直しました";

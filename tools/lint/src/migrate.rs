@@ -1,8 +1,7 @@
 //! Programs of older versions of the language to version 3.1 (T.I.P. 3.1 §1-1), and on to edition 3.2.
 //!
-//! The original bytes are kept and only spliced: comments, layout, encoding and the order of the steps stay as they
-//! are. Every change is noted with its line. What cannot be decided from the text is a question, and then there is
-//! no result.
+//! Only changed words are replaced: comments, layout, encoding and the order of the steps stay. Every change is
+//! reported with its line. If the text does not decide a change, the report has a question, and there is no result.
 
 mod lines;
 mod next;
@@ -38,7 +37,7 @@ const CURRENT: f64 = 3.1;
 const DECLARED: f64 = 3.0;
 /// The first version with a title in line 2.
 const TITLED: f64 = 1.1;
-/// A version that older programs name, although the language never came so far.
+/// A version that some older programs name, although the language never had it.
 const ODD: f64 = 4.0;
 
 /// Kind of a note: a change or a question.
@@ -46,7 +45,7 @@ const ODD: f64 = 4.0;
 pub enum NoteKind {
     /// A change that was made.
     Change,
-    /// Something that the text does not decide.
+    /// A decision that the text does not contain.
     Question,
 }
 
@@ -193,7 +192,7 @@ pub fn migrate_to(
         return Ok(migration);
     };
     let (result, mut notes) = next::to_3_2(name, &older, encoding);
-    // Lines are put in behind the title.
+    // Lines are inserted after the title.
     let (source, _) = Source::decode(name, &older, encoding);
     let added = source.line_count() - migration.source.line_count();
     for note in &mut notes {
@@ -221,7 +220,7 @@ fn robots(name: &str, bytes: &[u8], encoding: Encoding) -> Vec<Robot> {
     Robot::ALL.iter().copied().filter(loads).collect()
 }
 
-/// Returns the bytes of the file with edits that do not overlap; what is put in is ASCII, so it is the same in both
+/// Returns the bytes of the file with edits that do not overlap. Inserted text is ASCII, which is the same in both
 /// encodings.
 fn changed(source: &Source, mut edits: Vec<Edit>) -> Vec<u8> {
     edits.sort_by_key(|edit| edit.span);
@@ -281,7 +280,7 @@ impl Migrator<'_> {
         true
     }
 
-    /// Brings line 1 to version 3.1; `None` if nothing else is to be done.
+    /// Changes line 1 to version 3.1. Returns `None` if nothing else is to be migrated.
     fn header(&mut self) -> Option<Header> {
         let location = version_word(self.source);
         let word = self.slice(location).to_owned();
@@ -300,7 +299,7 @@ impl Migrator<'_> {
         self.edits.push(Edit::replace(location, "3.1"));
         self.change(location, Migrating::Version { version: word });
         let is_declared = match version == ODD {
-            // What says 4.0 shows by its declarations what it is.
+            // The declarations of a program with version 4.0 show its real version.
             true => self.declares(),
             false => version >= DECLARED,
         };
@@ -316,7 +315,7 @@ impl Migrator<'_> {
         statements.any(|statement| statement.keyword.starts_with("DEF_"))
     }
 
-    /// Returns true if line 2 is a title. Version 1.0 had none: there it is a statement if it looks like one.
+    /// Returns true if line 2 is a title. Version 1.0 had no titles: a line 2 that looks like a statement is one there.
     fn has_title(&self, version: f64) -> bool {
         let pieces = lines::read(self.source, 2, true);
         let first = pieces.first().filter(|piece| piece.line() == 2);
@@ -343,19 +342,19 @@ impl Migrator<'_> {
         self.notes.push(note);
     }
 
-    /// Puts another word in the place of a command word, in small letters if the program writes it so.
+    /// Replaces a command word, in small letters if the program writes it so.
     fn rename(&mut self, keyword: Span, name: &str) {
         let name = like(self.slice(keyword), name);
         self.edits.push(Edit::replace(keyword, name));
     }
 }
 
-/// Asks about what is still no statement of version 3.1, on lines that nothing is asked about yet.
+/// Asks about texts that are still not statements of version 3.1, on lines without a question.
 fn questions(old: &Source, result: &[u8], encoding: Encoding, notes: &[Note]) -> Vec<Note> {
     let asked = notes.iter().filter(|note| note.kind == NoteKind::Question);
     let asked: HashSet<u32> = asked.map(|note| note.line).collect();
     let (source, _) = Source::decode(old.name(), result, encoding);
-    // Lines are put in after the title alone, and nothing is wrong with them: only names that fit are declared.
+    // Lines are inserted only after the title, and they are right: only valid names are declared.
     let added = source.line_count() - old.line_count();
     let (module, found) = parse(&source, Some(3.1));
     let broken = found
@@ -411,7 +410,7 @@ fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
             };
             robots[at] += usize::from(!seen[at]);
             seen[at] = true;
-            // That a robot lacks the command says less than what is wrong with it on another.
+            // An error of an argument on one robot tells more than that another robot lacks the command.
             if refused[at].is_none() || fault.code == Code::Argument {
                 refused[at] = Some(fault);
             }
@@ -482,7 +481,7 @@ fn loads(migration: &Migration) -> Loads {
     }
 }
 
-/// `FILE:LINE:COLUMN: change: <text>` or `…: question: <text>`, one line each.
+/// Returns a line for each change, `FILE:LINE:COLUMN: change: <text>`, and each question, `…: question: <text>`.
 pub fn render_short(migration: &Migration, lang: Lang) -> String {
     let notes = migration.notes.iter();
     notes

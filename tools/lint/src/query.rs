@@ -1,7 +1,7 @@
-//! Conditions and equations that someone asks of a program while it runs, in the program's own language.
+//! Conditions and expressions that a user evaluates while a program runs, in the language of the program.
 //!
-//! A question is read and checked as a line of a program that declares the names in it as the program does, so that whoever
-//! knows the language knows how to ask. Other declarations are left out: the time to answer depends on the question alone.
+//! A query is read and checked as a line of a small program that has the declarations of its names. Other declarations
+//! are left out, so that the time depends on the query alone.
 
 use crate::Options;
 use std::collections::{BTreeMap, HashMap};
@@ -19,7 +19,7 @@ use tipc::program::{
 use tipc::source::Span;
 use tipc::syntax::upper_case;
 
-/// A program's variables, and more that only a query may name.
+/// The variables of a program, and further names that only a query may use.
 #[derive(Clone, Debug)]
 pub struct QueryContext {
     options: Options,
@@ -27,7 +27,7 @@ pub struct QueryContext {
     names: HashMap<String, Meant>,
     /// The variable that an equation assigns, after all others.
     answer: String,
-    /// The variables from here on are none of the program's.
+    /// The number of the first variable that is not the program's.
     own: usize,
     more: Vec<String>,
 }
@@ -40,7 +40,7 @@ enum Meant {
         id: VariableId,
         kind: VariableKind,
         scalars: Vec<String>,
-        /// False if the language itself or native code brings it.
+        /// False if the language or native code provides it.
         is_declared: bool,
     },
     Constant(f64),
@@ -176,7 +176,7 @@ impl QueryContext {
         let named: BTreeMap<&str, &Meant> = words
             .filter_map(|word| Some((word, self.names.get(word)?)))
             .collect();
-        // What KEY_IN assigns without being asked to.
+        // KEY_IN assigns VAR_KEY, which needs no declaration.
         let key_in = COMMANDS
             .iter()
             .find(|row| matches!(row.meaning, Meaning::KeyIn));
@@ -211,7 +211,7 @@ impl QueryContext {
     }
 }
 
-/// A question as a program of its own, whose variables have other numbers.
+/// A query as a program of its own, whose variables have other numbers.
 struct Asked<'a> {
     names: &'a HashMap<String, Meant>,
     program: Program,

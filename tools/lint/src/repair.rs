@@ -1,7 +1,6 @@
-//! Applies fixes to a file until none is left that does what it says.
+//! Applies fixes to a file until no working fix is left.
 //!
-//! A fix counts only if the changed text, read again, no longer has the diagnostic and has no new one. All other bytes of the file stay
-//! as they are.
+//! A fix works if the changed text no longer has the diagnostic and has no new one. All other bytes of the file stay.
 //!
 //! ```
 //! use tipc::diagnostic::Applicability;
@@ -26,14 +25,15 @@ use tipc::message::Lang;
 use tipc::render::{push_member, push_number, push_string};
 use tipc::syntax::StatementKind;
 
-/// The most bytes that are read again to try the fixes of a file, unless the whole of it needs more.
+/// Maximum number of bytes that are read to try the fixes of a file, unless reading the file once takes more.
 const MAX_READ_BYTES: usize = 1 << 18;
 
-/// The most mistakes of one line that are put right one after the other.
+/// Maximum number of mistakes of a line that are fixed one after the other.
 const MAX_HIDDEN: usize = 4;
 
-/// The most times that a file is read again, and the least if its fixes are asked for.
+/// Maximum number of times that a file is read again, even if it is short.
 const MAX_READINGS: usize = 200;
+/// Number of times that [`repair`] may read a file again, even if it is long.
 const MIN_READINGS: usize = 8;
 
 /// A diagnostic that was put right.
@@ -54,21 +54,22 @@ pub struct Applied {
 pub struct Repaired {
     /// Applied fixes, in order.
     pub applied: Vec<Applied>,
-    /// The file as it is then, and what is left to say of it.
+    /// The fixed file with its remaining diagnostics.
     pub loaded: Loaded,
 }
 
-/// Applies the fixes that are at least as sure as `least` to what was loaded with `options`, and those of what then is found.
+/// Applies the fixes that are at least as certain as `least` to a file that was loaded with `options`, then those of
+/// diagnostics that show up, and so on.
 pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
     apply(loaded, options, least, MIN_READINGS)
 }
 
-/// Returns what [`repair`] would do at least, as far as it takes little time.
+/// Returns a part of the result of [`repair`] in a short time.
 pub fn preview(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
     apply(loaded, options, least, 1)
 }
 
-/// Applies all fixes that do not touch each other, reads the file again, and so on until no fix is left that makes it better.
+/// Applies all fixes that do not touch each other and reads the file again, until no fix works any more.
 fn apply(loaded: Loaded, options: &Options, least: Applicability, readings: usize) -> Repaired {
     let mut trials = Trials::new(&loaded, options, least, readings);
     trials.hidden = MAX_HIDDEN;
@@ -99,8 +100,8 @@ fn apply(loaded: Loaded, options: &Options, least: Applicability, readings: usiz
     }
 }
 
-/// Keeps the fixes of what was loaded with `options` that do what they say: those that, applied alone or with others, put
-/// their diagnostic right without a new one.
+/// Keeps the fixes of a file that was loaded with `options` that work, applied alone or with others, and removes the
+/// other fixes.
 pub fn confirm(mut loaded: Loaded, options: &Options) -> Loaded {
     let mut trials = Trials::new(&loaded, options, Applicability::Likely, 1);
     let mut confirmed: HashSet<usize> = HashSet::new();
@@ -123,11 +124,11 @@ pub fn confirm(mut loaded: Loaded, options: &Options) -> Loaded {
     loaded
 }
 
-/// Trials of fixes, as many as may be made.
+/// Trials of fixes, and the number that is left.
 struct Trials<'a> {
     options: &'a Options,
     least: Applicability,
-    /// The most mistakes of one line that are fixed along with the one that hid them.
+    /// Maximum number of mistakes of a line that are fixed after the one that hid them.
     hidden: usize,
     /// Number of times that the file may still be read again.
     left: usize,
@@ -150,7 +151,7 @@ impl<'a> Trials<'a> {
         fixes.find(|fix| fix.applicability <= self.least)
     }
 
-    /// Returns the wanted diagnostics whose fixes do not touch each other; none if the file may not be read again.
+    /// Returns the wanted diagnostics whose fixes do not touch each other; nothing if no trial is left.
     fn candidates(&self, loaded: &Loaded, is_wanted: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut taken = Taken::default();
         let found = loaded.diagnostics.iter().enumerate();
@@ -161,8 +162,8 @@ impl<'a> Trials<'a> {
         free.map(|(index, _)| index).collect()
     }
 
-    /// Returns how many of the first of these diagnostics can be put right together, and the file then: all, or half as many,
-    /// and so on.
+    /// Tries to fix all diagnostics of a batch together, then the first half of it, and so on. Returns the number that
+    /// works and the fixed file.
     fn better(&mut self, loaded: &Loaded, batch: &[usize]) -> Option<(usize, Repaired)> {
         let mut count = batch.len();
         while count > 0 {
@@ -174,8 +175,8 @@ impl<'a> Trials<'a> {
         None
     }
 
-    /// Returns a file with the fixes of some diagnostics, if they are gone then and nothing new is wrong. What they hid on their
-    /// lines is fixed, too, `hidden` times at most.
+    /// Returns the file with the fixes of some diagnostics, if that removes them and adds none. Diagnostics that they
+    /// hid on their lines are fixed as well, at most `hidden` times.
     fn changed(&mut self, before: &Loaded, indices: &[usize], hidden: usize) -> Option<Repaired> {
         self.left = self.left.checked_sub(1)?;
         let fixed: Vec<_> = indices.iter().map(|it| &before.diagnostics[*it]).collect();
@@ -207,8 +208,9 @@ impl<'a> Trials<'a> {
         Some(repaired)
     }
 
-    /// Returns the diagnostics that are new after some were fixed, if each may follow. A statement has one diagnostic at most: when
-    /// it is put right, another may show on its line. Diagnostics that could not be seen before do not count.
+    /// Returns the new diagnostics after some were fixed, if each may have been hidden before. A statement has at most
+    /// one diagnostic, so a fixed statement may show another one. Diagnostics that could not be reported before do not
+    /// count.
     fn revealed(
         &self,
         before: &Loaded,
@@ -247,7 +249,7 @@ impl<'a> Trials<'a> {
         Some(new)
     }
 
-    /// Returns what the fix of a diagnostic puts right.
+    /// Returns a diagnostic with its fix, as applied.
     fn applied(&self, before: &Loaded, index: usize) -> Option<Applied> {
         let diagnostic = &before.diagnostics[index];
         let (line, column) = before.source.line_column(diagnostic.span.start);
@@ -260,16 +262,16 @@ impl<'a> Trials<'a> {
     }
 }
 
-/// Key by which two diagnostics are the same, wherever they are.
+/// Key of a diagnostic without its location.
 type Key = (Code, String);
 
 fn key(diagnostic: &Diagnostic) -> Key {
     (diagnostic.code, diagnostic.reason.to_string())
 }
 
-/// Diagnostics that the text before a change would have shown.
+/// The diagnostics that could be reported before a change.
 struct Visible {
-    /// End of what was read, as an offset of the changed text: nothing is read after END.
+    /// End of the program text, as an offset of the changed text: nothing is read after END.
     end: usize,
     /// True if the blocks were whole, so that the use of variables was judged.
     has_usage: bool,
@@ -281,7 +283,7 @@ struct Visible {
 
 impl Visible {
     fn of(before: &Loaded, edits: &[&Edit]) -> Visible {
-        // Edits that reach across an offset count up to it.
+        // An edit that reaches beyond an offset counts up to the offset.
         let moved = |at: usize| {
             let passed = edits.iter().filter(|edit| edit.span.start < at);
             let change = |(gone, new), edit: &&Edit| {
@@ -337,7 +339,7 @@ fn spliced(text: &str, edits: &[&Edit]) -> String {
 /// Label in place of the level of a diagnostic.
 const LEVEL: &str = "fixed";
 
-/// `FILE:LINE:COLUMN: fixed[CODE]: <what was done>`, one line each.
+/// Returns a line `FILE:LINE:COLUMN: fixed[CODE]: <title of the fix>` for each fix.
 pub fn render_short(repaired: &Repaired, lang: Lang) -> String {
     let name = repaired.loaded.source.name();
     let line = |one: &Applied| {

@@ -1,6 +1,6 @@
-//! Words of other languages, and what is written here in their place.
+//! Words of other languages, and their replacements in T.I.P.
 //!
-//! The compiler marks the diagnostic of a word that it does not know. What this table knows becomes its help.
+//! The compiler marks the diagnostic of a word that it does not know. An entry of this table replaces its help.
 
 use crate::Loaded;
 use crate::fix::Fixer;
@@ -25,11 +25,11 @@ enum Place {
     Condition,
 }
 
-/// Words that say the same.
+/// Words with the same meaning.
 struct Row {
     place: Place,
     words: &'static str,
-    /// First words that go on with what one of the words began: with it they are one mistake.
+    /// First words of later parts of the same construct: they are reported with it as one mistake.
     parts: &'static str,
     help: fn(&str) -> Message,
     fix: Fixer,
@@ -59,7 +59,7 @@ impl Row {
     }
 }
 
-/// Words with blanks between, what to write, and the mechanical fix.
+/// Words with blanks between them, the help, and the source of the fix.
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
     row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT LOG DEBUG TEXT MSG MESS SERIAL.PRINT SERIAL.PRINTLN CONSOLE.LOG SYSTEM.OUT.PRINTLN TPWRITE TYPE LCD.PRINT SHOW_TEXT ?", |_| Foreign::ShowText.into(), print),
@@ -118,7 +118,7 @@ const ROWS: &[Row] = &[
     row("TRUE ON YES", |_| Suggestion::Forever.into(), fixes::none).at(Place::Condition),
 ];
 
-/// Returns what knows the fix for the unknown word of a diagnostic.
+/// Returns the source of the fix for the unknown word of a diagnostic.
 pub(crate) fn fixer(diagnostic: &Diagnostic, source: &Source) -> Option<Fixer> {
     find(diagnostic, source).map(|row| row.fix)
 }
@@ -145,7 +145,7 @@ fn row_of(place: Place, word: &str) -> Option<&'static Row> {
     ROWS.iter().find(holds)
 }
 
-/// `DEF N`, or `DEF WALK()`.
+/// Returns the help for `DEF N` or `DEF WALK()`.
 fn define(line: &str) -> Message {
     match line.contains('(') {
         true => Foreign::Subroutine.into(),
@@ -153,7 +153,7 @@ fn define(line: &str) -> Message {
     }
 }
 
-/// `DIM N`, or `DIM A(10)`.
+/// Returns the help for `DIM N` or `DIM A(10)`.
 fn arrays(line: &str) -> Message {
     let name = line
         .split('(')
@@ -168,7 +168,7 @@ fn arrays(line: &str) -> Message {
     }
 }
 
-/// `LABEL L1`
+/// Returns the help for `LABEL L1`.
 fn label(line: &str) -> Message {
     let name = line.split_whitespace().nth(1).unwrap_or("L1");
     let name = upper_case(name.trim_end_matches(':'));
@@ -187,7 +187,7 @@ fn word_of(diagnostic: &Diagnostic, source: &Source) -> String {
     upper_case(word).into()
 }
 
-/// Adds what is known of the unknown words of a program to their diagnostics.
+/// Adds helps to the diagnostics of unknown words that this table has.
 pub(crate) fn advise(loaded: &mut Loaded) {
     let mut begun: Option<(usize, &Row)> = None;
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(loaded.diagnostics.len());

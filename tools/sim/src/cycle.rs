@@ -8,8 +8,8 @@ use tip_runtime::plant::Pose;
 use tip_runtime::program::{Program, THREADS};
 use tip_runtime::record::{self, Sink, state_hash};
 
-/// One control cycle. Where several steps ran in it, it has the last one of the main program, and the effects of all.
-/// Without a [`step`](Self::step) and a thread that had a turn, no step ran to its end, and the fields of effects are empty.
+/// One control cycle. If several steps ran in it, `step` is the last one of the main program, and the effects are those
+/// of all steps. If neither the main program nor a thread ran a step to its end, the fields of effects are empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
     /// Its number, from 0.
@@ -26,7 +26,7 @@ pub struct Cycle {
     pub messages: Vec<String>,
     /// Text that F_MESSAGE appended to FOUT.LOG.
     pub out: Option<String>,
-    /// Each lamp that was switched, and whether on.
+    /// Each lamp that was switched, and true if it is on.
     pub lamps: Vec<(u8, bool)>,
     /// Each thread that had a turn, with its last step.
     pub threads: Vec<(u8, u32)>,
@@ -46,7 +46,7 @@ pub struct Cycle {
 pub struct IssuedCommand {
     /// The command.
     pub op: Op,
-    /// HS: hand over to the next command immediately.
+    /// True with HS, which hands over to the next command immediately.
     pub hs: bool,
     /// The foot, joint or device that it is for.
     pub target: Target,
@@ -70,7 +70,7 @@ impl Display for IssuedCommand {
     }
 }
 
-/// Collects what a cycle does.
+/// Collects the effects of a cycle.
 pub(crate) struct Collector {
     cycle: Cycle,
     /// The variables before the first step.

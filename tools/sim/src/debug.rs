@@ -1,7 +1,7 @@
-//! A run to move about in, forwards and backwards: the engine of a debugger.
+//! The engine of a debugger: a run that moves forwards and backwards.
 //!
-//! A position is the number of the cycle that comes next. The debugger moves along a [`Timeline`], and keeps the step of
-//! every cycle. While it stands, nothing moves: program and robot have one time.
+//! A position is the number of the cycle that comes next. The debugger moves along a [`Timeline`], and keeps the steps
+//! of every cycle. While it stands still, the robot does as well: program and robot share one time.
 //!
 //! ```
 //! use tip_sim::debug::{Debugger, Discard, Move, Reason, When};
@@ -56,12 +56,12 @@ use tip_runtime::machine::{Emergency, Mismatch};
 use tip_runtime::program::End;
 use tipc::program::Program;
 
-/// The cycles that may be given up for a change.
+/// The cycles that a change may discard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Discard {
-    /// Nothing: in the past a change is refused.
+    /// No cycles: a change in the past is refused.
     Nothing,
-    /// All that was run after the change.
+    /// All known cycles after the change.
     Later,
 }
 
@@ -75,7 +75,7 @@ pub struct Debugger {
     breakpoints: Breakpoints,
     watches: Watches,
     stops_at_fall: bool,
-    /// The first one that is known.
+    /// The first known fall.
     fall: Option<Fall>,
     said: Vec<(u64, String)>,
     /// Number of messages that have been taken.
@@ -90,7 +90,7 @@ pub struct Debugger {
 }
 
 impl Debugger {
-    /// Puts a program on a robot, before its first cycle.
+    /// Creates a debugger of a program on a robot, before its first cycle.
     ///
     /// # Errors
     /// The program was checked for another robot.
@@ -126,7 +126,7 @@ impl Debugger {
         debugger
     }
 
-    /// Stops where the robot falls, or goes on.
+    /// Sets if the debugger stops where the robot falls.
     pub fn stop_at_fall(&mut self, on: bool) {
         self.stops_at_fall = on;
     }
@@ -136,7 +136,7 @@ impl Debugger {
         self.timeline.now()
     }
 
-    /// Returns the number of cycles that have been run; nothing is known of later ones.
+    /// Returns the number of cycles that have been run.
     pub fn known(&self) -> u64 {
         self.history.len()
     }
@@ -217,7 +217,7 @@ impl Debugger {
 }
 
 impl Debugger {
-    /// Adds events that are to happen in any case; before the first cycle.
+    /// Adds events that happen in every branch. It must be called before the first cycle.
     ///
     /// # Errors
     /// The robot or the program lacks what they change.
@@ -227,9 +227,9 @@ impl Debugger {
         Ok(self)
     }
 
-    /// Makes something happen at this position: a key, the voltage of an input, another value of a variable. It shows at once,
-    /// and happens again whenever the run comes here. What the user had made happen later is discarded with the cycles after
-    /// this one.
+    /// Adds an event at this position, such as a key, the voltage of an input or another value of a variable. Its
+    /// effect is visible immediately, and it happens again whenever the run is replayed. Later changes by the user are
+    /// discarded with the cycles after this one.
     ///
     /// # Errors
     /// The program is over, the robot or the program lacks what it changes, or cycles would be discarded.
@@ -260,7 +260,7 @@ impl Debugger {
         self.timeline.changes().clone()
     }
 
-    /// Discards what is known of the cycles from here on.
+    /// Discards the records of the cycles from this position on.
     fn forget_later(&mut self) {
         let now = self.now();
         self.timeline.branch();
@@ -276,10 +276,10 @@ impl Debugger {
 /// Maximum number of messages that are kept.
 const MESSAGES: usize = 10_000;
 
-/// State of the run after the last cycle that is known.
+/// State of the run after the last known cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Frontier {
-    /// This step comes next.
+    /// The run goes on.
     #[default]
     Open,
     /// The program ended.
@@ -304,7 +304,7 @@ struct History {
     taken: Vec<Taken>,
     /// The place in `taken` of the first step of each cycle.
     cycles: Vec<usize>,
-    /// The steps that would begin the turns after all of them.
+    /// The steps that begin the turns after the last known cycle.
     next: Vec<Taken>,
     frontier: Frontier,
 }
@@ -314,7 +314,7 @@ impl History {
         self.cycles.len() as u64
     }
 
-    /// Adds the steps of a cycle that was run for the first time, and stores what came after it.
+    /// Adds the steps of a cycle that was run for the first time, and the state after it.
     fn push(&mut self, taken: Vec<Taken>, next: Vec<Taken>, frontier: Frontier) {
         self.cycles.push(self.taken.len());
         self.taken.extend(taken);
@@ -322,7 +322,7 @@ impl History {
         self.frontier = frontier;
     }
 
-    /// Forgets everything from a position on, where these steps come next.
+    /// Removes everything from a position on, at which the steps `next` come next.
     fn truncate(&mut self, at: u64, next: Vec<Taken>) {
         if let Some(first) = self.cycles.get(place(at)) {
             self.taken.truncate(*first);
@@ -332,7 +332,7 @@ impl History {
         self.frontier = Frontier::Open;
     }
 
-    /// Returns the steps of a cycle; of the cycle that would come next, the first of each turn.
+    /// Returns the steps of a known cycle. For the cycle after the last one, returns the first step of each turn.
     fn cycle(&self, at: u64) -> &[Taken] {
         let Some(first) = self.cycles.get(place(at)) else {
             return &self.next;
@@ -348,9 +348,9 @@ impl History {
         taken.find(|taken| taken.thread == thread).copied()
     }
 
-    /// Iterates over the steps that begin at a position: those that begin the next turns and do not go on with the last
-    /// step of the turn before; before them those inside the turns that have just ended, which no position is directly
-    /// before.
+    /// Iterates over the steps that begin at a position. These are the steps inside the turns that have just ended,
+    /// since there are no positions inside a turn, and then the first steps of the next turns, unless they continue the
+    /// last step of the turn before.
     fn begins(&self, at: u64) -> impl Iterator<Item = Taken> {
         let before = at.checked_sub(1).map_or(&[][..], |at| self.cycle(at));
         let pairs = before.iter().zip(before.iter().skip(1));

@@ -1,5 +1,4 @@
-//! A machine of any size behind one trait, and the parts that it has on every robot. No logic: the machine itself is
-//! tip-runtime's.
+//! A trait for machines of any size, without logic of its own: the machine is that of tip-runtime.
 
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
@@ -32,7 +31,7 @@ pub(crate) trait DynMachine: Send {
     /// Returns the sampling time, ms.
     fn period(&self) -> f64;
     fn flag(&self, flag: Flag) -> bool;
-    /// Returns the members of a special variable, of the readings of the last cycle.
+    /// Returns the members of a special variable, from the readings of the last cycle.
     fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault>;
     fn setpoints(&self) -> Vec<Setpoint>;
     /// Returns the locked joints.
@@ -42,7 +41,7 @@ pub(crate) trait DynMachine: Send {
     fn thread_runs(&self, thread: u8) -> bool;
     /// Returns the time of a timer, ms.
     fn timer(&self, n: u8) -> f64;
-    /// Returns what each joint was sent, leg by leg.
+    /// Returns the last command of each joint, leg by leg.
     fn commands(&self) -> &[JointCommand];
     /// Returns the measured angle of each joint, leg by leg, deg.
     fn angles(&self) -> &[f64];

@@ -47,10 +47,10 @@ pub enum Event {
     Sensor(Port, f64),
     /// The host assigns a variable, as [`Program::set`](tip_runtime::program::Program::set) does.
     Set(String, f64),
-    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; of these robots
-    /// only the soles' sensors change.
+    /// The contact sensors of all feet or fingers are switched on or off. Simulated joints feel real contacts; on their
+    /// robots only the sensors of the soles change.
     Touch(bool),
-    /// A force in the world pushes the body at its origin for so many cycles: N. It takes the place of the push before.
+    /// A force in the world pushes the body at its origin, N, for a number of cycles. It replaces an earlier push.
     Push([f64; 3], u32),
     /// Sensors have errors from now on.
     Noise(Noise),
@@ -102,7 +102,7 @@ impl Events {
         })
     }
 
-    /// Keeps so many of them, the first ones.
+    /// Keeps the first events, up to a number.
     pub(crate) fn truncate(&mut self, count: usize) {
         self.0.truncate(count);
     }
@@ -142,7 +142,7 @@ impl IntoIterator for Events {
 }
 
 impl Event {
-    /// This event before the step of a cycle.
+    /// Returns the event, to happen before the step of a cycle.
     pub fn at(self, cycle: u64) -> Timed {
         Timed { cycle, event: self }
     }
@@ -231,14 +231,14 @@ impl FromStr for Event {
     }
 }
 
-/// Reads `X Y Z for C`: N, and cycles.
+/// Reads `X Y Z for C`: a force, N, and a number of cycles.
 fn pushed(text: &str) -> Option<Event> {
     let (force, cycles) = text.split_once(" for ")?;
     let force = numbers(force)?;
     Some(Event::Push(force, cycles.trim().parse().ok()?))
 }
 
-/// Reads `A V seed N`: deg, V, and a whole number.
+/// Reads `A V seed N`: standard deviations, deg and V, and a whole number.
 fn noisy(text: &str) -> Option<Event> {
     let (noise, seed) = text.split_once(" seed ")?;
     let [angle, volts] = numbers(noise)?;
@@ -318,7 +318,7 @@ impl FromStr for Events {
     }
 }
 
-/// Reads `FROM..UNTIL:NAME=VALUE`: an input for a while, in cycles.
+/// Reads `FROM..UNTIL:NAME=VALUE`: the reading of an input between two cycles.
 fn while_of(text: &str) -> Option<(u64, u64, Port, f64)> {
     let (times, event) = text.split_once(':')?;
     let (from, until) = times.split_once("..")?;
@@ -329,7 +329,7 @@ fn while_of(text: &str) -> Option<(u64, u64, Port, f64)> {
     }
 }
 
-/// One character, or the code of another one.
+/// A key, shown as its character, or as its code if it has none.
 struct KeyText(u8);
 
 impl fmt::Display for KeyText {
@@ -357,7 +357,7 @@ fn port(name: &str) -> Option<Port> {
     name.to_ascii_uppercase().parse().ok()
 }
 
-/// All that happens around a run, and how long it may take.
+/// The events of a run, and its maximum length.
 ///
 /// Its text is that of the options of `tip run`, in one line: `--keys 3:a --sensor VR1=8@300 --halt 500 --cycles 900`.
 /// Events without a short form follow `--events`, without blanks around its commas.
@@ -365,7 +365,7 @@ fn port(name: &str) -> Option<Port> {
 pub struct Inputs {
     /// The events.
     pub events: Events,
-    /// The most cycles.
+    /// Maximum number of cycles.
     pub cycles: Option<u64>,
 }
 
@@ -431,7 +431,7 @@ impl FromStr for Inputs {
     }
 }
 
-/// Returns a word, or the text between single quotes; and what follows.
+/// Returns a word, or the text between single quotes, and the rest after it.
 fn value(text: &str) -> (&str, &str) {
     match text
         .strip_prefix('\'')
@@ -447,7 +447,7 @@ fn cycles(value: &str) -> Result<u64, EventError> {
     value.parse().map_err(wrong)
 }
 
-/// `--keys`: `CYCLE:CHAR,CYCLE:CHAR…`.
+/// The value of `--keys`: `CYCLE:CHAR,CYCLE:CHAR…`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Keys(pub Vec<Timed>);
 
@@ -532,7 +532,7 @@ impl SensorAt {
         std::iter::once(begin).chain(end)
     }
 
-    /// Returns the stick that springs back, if it is one.
+    /// Returns the input, if it is a stick.
     pub fn stick(&self) -> Option<Port> {
         let is_stick = self.until.is_some() && matches!(self.port, Port::Knob(_));
         is_stick.then_some(self.port)
@@ -547,7 +547,7 @@ impl FromStr for SensorAt {
     }
 }
 
-/// Returns an input that reads something from a time on, if it can read that.
+/// Reads `NAME=VALUE@TIME`, if the input can have the value.
 fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<SensorAt, EventError> {
     let wrong = |what: &str| {
         EventError(format!(

@@ -1,4 +1,4 @@
-//! The console of a run: types the keys of its events, and shows what is shown to whoever listens.
+//! The console of a run: it types the keys of events, and passes output to a listener.
 
 use std::any::Any;
 use std::collections::VecDeque;
@@ -7,16 +7,16 @@ use tip_runtime::console::{Bars, Console};
 use tip_runtime::machine::Report;
 use tip_runtime::record::{Dump, Sample};
 
-/// Keys that wait to be typed, and who is shown what the program shows. A copy has the keys alone: listeners stand
-/// outside of a run.
+/// The keys that wait to be typed, and the listener of the output. A copy has only the keys, since listeners are not
+/// part of a run.
 #[derive(Default)]
 pub(crate) struct EventConsole {
-    /// Typed before what the listener has to give.
+    /// Keys that are typed before those of the listener.
     due: VecDeque<u8>,
     listener: Option<Box<dyn Listener>>,
 }
 
-/// A console that can be asked for again.
+/// A console that can be returned as its own type.
 pub(crate) trait Listener: Console + Any + Send {}
 
 impl<C: Console + Send + 'static> Listener for C {}
@@ -35,7 +35,7 @@ impl EventConsole {
         Some(self.listener.as_deref_mut()?)
     }
 
-    /// Exchanges who listens.
+    /// Replaces the listener, and returns the previous one.
     pub(crate) fn replace(
         &mut self,
         listener: Option<Box<dyn Listener>>,

@@ -60,9 +60,9 @@ pub struct ExternalPlant {
 /// Time limits of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TimeLimits {
-    /// The one to `hello`: a simulator may have to load much.
+    /// Limit of the answer to `hello`: a simulator may have to load much.
     pub first: Duration,
-    /// Any other one.
+    /// Limit of any other answer.
     pub later: Duration,
 }
 
@@ -92,7 +92,7 @@ impl ExternalPlant {
         }
     }
 
-    /// Waits otherwise.
+    /// Sets the time limits of answers.
     #[must_use]
     pub fn with_time_limits(mut self, limits: TimeLimits) -> Self {
         self.limits = limits;
@@ -117,7 +117,7 @@ impl fmt::Debug for ExternalPlant {
     }
 }
 
-/// A run on an external plant does not begin.
+/// Reason why a run on an external plant does not begin.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StartError {
     /// The program is for another robot.
@@ -175,7 +175,7 @@ impl Run {
     }
 }
 
-/// A robot whose sensors and joints are another process's.
+/// A robot whose sensors and joints another process simulates.
 pub(crate) struct ExternalHardware {
     layout: Layout,
     /// None in a copy.
@@ -217,7 +217,7 @@ impl ExternalHardware {
         })
     }
 
-    /// Waits for the awaited answer, but not longer than this; returns true if none is awaited any more.
+    /// Waits for the awaited answer up to a time. Returns true if none is awaited any more.
     fn wait(&mut self, longest: Duration) -> bool {
         let (Some(head), None) = (self.awaits, &self.error) else {
             return true;
@@ -244,7 +244,7 @@ impl ExternalHardware {
         true
     }
 
-    /// Takes what was heard in answer to a line.
+    /// Takes an answer to a request.
     fn take(&mut self, to: Head, heard: Received, within: Duration) -> Result<(), PlantError> {
         let line = match heard {
             Received::Line(line) => line,
@@ -274,7 +274,7 @@ impl DynHardware for ExternalHardware {
         Box::new(ExternalHardware {
             layout: self.layout.clone(),
             link: None,
-            // An answer that never comes, so that the copy finds out.
+            // The copy awaits an answer that never comes, so that it fails.
             awaits: Some(Head::Cycle(self.number)),
             measured: self.measured.clone(),
             error: self.error.clone(),
@@ -365,7 +365,7 @@ impl DynHardware for ExternalHardware {
     }
 }
 
-/// From where to where the body has come.
+/// The start and the present pose of the body.
 #[derive(Clone, Copy, Debug)]
 struct Odometry {
     start: Pose,
@@ -375,7 +375,7 @@ struct Odometry {
 }
 
 impl Odometry {
-    /// Goes on from what was before.
+    /// Updates the motion by a new pose.
     fn on(before: Option<Self>, now: Pose) -> Self {
         let Some(before) = before else {
             return Odometry {
@@ -384,7 +384,7 @@ impl Odometry {
                 turned: 0.0,
             };
         };
-        // Headings are kept within half a turn.
+        // Headings are within half a turn, so whole turns are counted.
         let turn = now.yaw - before.now.yaw;
         let whole = if turn > 180.0 {
             -360.0

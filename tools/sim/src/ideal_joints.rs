@@ -1,4 +1,4 @@
-//! Joints that are where they are commanded to be in the next cycle: a robot that is cheap to simulate.
+//! Joints that reach their commanded angle in the next cycle: a simulation at low cost.
 
 use crate::model::RobotDescription;
 use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
@@ -23,7 +23,7 @@ pub(crate) struct IdealJoints {
     slider: Point,
     /// Torque of a joint on its link while something is touched, in the robot's torque unit.
     resistance: f64,
-    /// The most that a joint can do, in the same unit.
+    /// Maximum torque of a joint, in the same unit.
     torque_max: f64,
     touches: bool,
 }
@@ -89,7 +89,7 @@ impl DynHardware for IdealJoints {
                 }
                 JointCommand::Torque(torque) => {
                     joint.torque = torque;
-                    // What it touches stops it.
+                    // A contact stops it.
                     let drift = if resistance > 0.0 { 0.0 } else { DRIFT };
                     let turned = joint.angle + drift * torque / self.torque_max;
                     joint.angle = turned.clamp(joint.limits.min, joint.limits.max);

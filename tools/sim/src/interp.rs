@@ -19,9 +19,9 @@ pub struct Interpreter {
     program: Arc<program::Program>,
     names: Arc<[String]>,
     scalars: Vec<Option<f64>>,
-    /// That of the main program, then those of the threads in the order of the text.
+    /// The position of the main program, then those of the threads in the order of the text.
     positions: Vec<Position>,
-    /// The one whose step runs next.
+    /// The index of the position whose step runs next.
     selected: usize,
 }
 

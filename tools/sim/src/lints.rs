@@ -1,10 +1,10 @@
 //! Lints of a program that need its robot: constant targets that it cannot reach (W122, W127), and SPECIAL commands that it
 //! does not answer (W123).
 //!
-//! A target is checked if the program gives every number of it as a constant, and none of them relative. A program that
-//! says EMG_OFF is left alone: there a joint stops at its limit, and the program goes on. A straight path to a target
-//! within reach, and a target of REL_PTP, are checked where the start of the foot is known: on the first pass, up to the
-//! first question.
+//! A target is checked if all of its numbers are absolute constants. A program with EMG_OFF is not checked: there a
+//! joint stops at its limit, and the program goes on. A straight path to a target within reach, and a target of
+//! REL_PTP, are checked while the place of the foot is known: from the start of the program to its first condition or
+//! jump.
 //!
 //! SPECIAL is not checked on a robot whose owner has native code that may answer it.
 
@@ -24,7 +24,7 @@ use tipc::source::Span;
 use tipc::syntax::{OperandKind, Statement, StatementKind};
 
 impl Robot {
-    /// Adds the warnings that only the robot of a program tells: targets out of reach, and SPECIALs that nothing answers.
+    /// Adds the warnings that need the robot: targets out of reach, and SPECIALs that nothing answers.
     ///
     /// ```
     /// use tip_sim::Robot;
@@ -75,7 +75,7 @@ fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
     arguments.iter().map(constant).collect()
 }
 
-/// Misses by target: a program may go to the same one again and again.
+/// The misses of targets, kept since a program may use a target many times.
 struct Misses<'a> {
     robot: &'a Robot,
     /// The misses that are known, by target and the bits of its numbers.
@@ -159,8 +159,9 @@ fn reason(target: Target, miss: Miss) -> (Linting, Linting) {
 }
 
 impl Robot {
-    /// Returns why PTP, or PTP_ANGLE, to these numbers (mm or deg) is out of reach within the working limits of all joints, leg by leg,
-    /// and a way out: in the words of the warning. Returns `None` if the end is within reach.
+    /// Returns the reason why the target of a PTP or PTP_ANGLE (mm or deg) is out of reach, and the help, in the words
+    /// of the warning. `limits` are the working limits of all joints, leg by leg. Returns `None` for a target within
+    /// reach.
     pub fn reason_out_of_reach(
         &self,
         op: Op,
@@ -170,7 +171,7 @@ impl Robot {
     ) -> Option<(Message, Message)> {
         let miss = self.miss(op, target, values, limits)?;
         Some(match reason(target, miss) {
-            // The warning stands below the place that it is about.
+            // A warning is shown at its target. This text is shown alone, so it names the target.
             (Linting::ComesNoNearer { target, by }, help) => {
                 (Linting::CannotReach { target, by }.into(), help.into())
             }
@@ -212,8 +213,7 @@ fn is_clear(miss: Miss) -> bool {
     }
 }
 
-/// Returns the number of the joint that misses its limit, if there is one for each joint; else all
-/// numbers.
+/// Returns the location of the number of the joint that exceeds its limit, if each joint has one; else of all numbers.
 fn place(statement: &Statement, miss: Miss) -> Span {
     let StatementKind::Command { arguments, .. } = &statement.kind else {
         return statement.span;
@@ -243,24 +243,24 @@ fn tenths(number: f64) -> f64 {
     (number * 10.0).round() / 10.0
 }
 
-/// Knowledge of a foot.
+/// The known places of a foot, mm.
 #[derive(Clone, Copy, Default)]
 struct Foot {
-    /// Place of rest.
+    /// The place where it rests.
     rests: Option<Point>,
-    /// Place of its target.
+    /// The place of its target.
     goes: Option<Point>,
 }
 
-/// Knowledge of all feet before a step.
+/// The known places of all feet before a step.
 struct Starts {
-    /// None after the first question, or a command that may move anything.
+    /// `None` after the first condition or jump, and after a command that may move anything.
     feet: Option<Vec<Foot>>,
 }
 
 impl Starts {
-    /// Creates a robot in its initial posture. Of legs without a closed form nothing is known: they
-    /// choose postures on their way.
+    /// Creates the places in the initial posture. They are unknown for legs without a closed form, whose posture
+    /// depends on their path.
     fn of(robot: &Robot) -> Self {
         let anatomy = robot.anatomy();
         if !anatomy.inverse.is_closed() {
@@ -276,8 +276,7 @@ impl Starts {
         }
     }
 
-    /// Returns the start of the foot that a step moves, if that is known; afterwards the effect of
-    /// the step is known.
+    /// Returns the start of the foot that a step moves, if it is known, and applies the effect of the step.
     fn before(&mut self, step: &Step) -> Option<Point> {
         let feet = self.feet.as_mut()?;
         let Action::Command {
@@ -304,7 +303,7 @@ impl Starts {
                 foot.goes = constants(arguments).and_then(|to| to.try_into().ok());
                 start
             }
-            // Its end is not followed: only the feet that it does not move are still known.
+            // The end of its motion is not computed: only the places of the other feet stay known.
             (Op::RelPtp, Target::Foot(leg)) => {
                 let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;
                 std::mem::take(foot).rests
@@ -361,7 +360,7 @@ fn warn_of_specials(loaded: &mut Loaded, robot: &Robot) {
         else {
             return None;
         };
-        // Its number is a constant; what follows may be anything.
+        // Its first argument is a constant, the number. The others may be anything.
         let Operand::Constant(number) = arguments.first()?.operand else {
             return None;
         };

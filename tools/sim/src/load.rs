@@ -8,10 +8,10 @@ use tipc::description::{self, Description, WithModel};
 use tipc::message::Lang;
 use tipc::{Loaded, published, render};
 
-/// Loads the text of a program for a robot, to be run by the reference interpreter. `name` is how messages call it.
+/// Loads the text of a program for a robot, to be run by the reference interpreter. `name` is its name in messages.
 ///
 /// # Errors
-/// Everything that is wrong with the text.
+/// All errors of the text.
 pub fn load(name: &str, text: &str, robot: &Robot) -> Result<Interpreter, LoadError> {
     let mut loaded = tip_lint::load(name, text.as_bytes(), &robot.options());
     match loaded.program.take() {
@@ -53,7 +53,7 @@ impl Robot {
     /// Returns a walking robot from the text of its description (`docs/robots.md`).
     ///
     /// # Errors
-    /// Everything that is wrong with the text.
+    /// All errors of the text.
     pub fn description(toml: &str) -> Result<Self, LoadError> {
         let parsed = description::parse("robot.toml", toml.as_bytes());
         parsed

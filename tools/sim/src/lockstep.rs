@@ -3,7 +3,8 @@
 //! `tip verify` does this for programs on the robots that have a name. With commands or a robot of your own it takes a
 //! few lines, in a test of your own; the front page of this crate has an example.
 //!
-//! Here the compiled code is of another text, and differs in the cycle of the step that does:
+//! In this example the compiled code comes from a text with another MESSAGE, and the engines differ in the cycle of
+//! that step:
 //!
 //! ```
 //! use tip_sim::lockstep::Lockstep;
@@ -41,7 +42,7 @@ use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink};
 use tipc::program::{self, StepId};
 
-/// The most cycles of a run that is given no limit: a program may run forever.
+/// Maximum number of cycles of a run without a limit of its own: a program may run forever.
 pub const LIMIT: u64 = 10_000;
 
 /// The part of each cycle that is compared.
@@ -51,12 +52,12 @@ pub enum Evidence {
     /// The record of the trace, to the byte: every assignment, message, lamp and command, and a hash over the bits of
     /// all joints.
     Records,
-    /// A running hash of the same, of every variable, and of all that a console is shown: quick. Where it differs the
-    /// run is repeated, and both sides write the cycle down in words.
+    /// A running hash of the records, of every variable and of all console output. It is fast. If it differs, the run
+    /// is repeated, and both sides write that cycle in words.
     Hashes,
 }
 
-/// Goes along with the interpreter while both engines do the same.
+/// Observes the interpreter while both engines agree.
 pub trait LockstepObserver {
     /// Called after each cycle for each step that ran to its end in it.
     fn went(&mut self, cycle: u64, step: StepTaken) {
@@ -94,7 +95,7 @@ pub struct Compared {
 pub struct Divergence {
     /// The cycle.
     pub cycle: u64,
-    /// The step that the interpreter ran; where hashes were compared, the first one of the cycle.
+    /// The step that the interpreter ran; the first one of the cycle if hashes were compared.
     pub step: StepId,
     /// The interpreter's cycle: its record, or words.
     pub interpreted: String,
@@ -112,7 +113,7 @@ pub struct Lockstep {
 }
 
 impl Lockstep {
-    /// Puts a program and its compiled code on a robot each. Records are compared.
+    /// Creates a comparison of the records of a program and its compiled code, each on a robot of its own.
     ///
     /// # Errors
     /// One of them is for another robot.
@@ -124,7 +125,7 @@ impl Lockstep {
         Self::comparing(Evidence::Records, program, compiled, robot)
     }
 
-    /// Creates a comparison of the wanted evidence.
+    /// Creates a comparison of records or hashes.
     ///
     /// # Errors
     /// One of them is for another robot.
@@ -148,8 +149,8 @@ impl Lockstep {
         &self.program
     }
 
-    /// Returns the first difference in what the engines say of the program without running it:
-    /// robot, name, title, source lines of the steps, names of the variables.
+    /// Returns the first difference between the engines' data about the program: robot, name, title, source lines of
+    /// the steps, names of the variables.
     pub fn unlike(&self) -> Option<Divergence> {
         let facts = |run: &Run| {
             let program = run.program();

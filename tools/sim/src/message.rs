@@ -168,7 +168,7 @@ tipc::message_table! {
         "unassigned",
         "未代入";
 
-    // How a leg is controlled.
+    // Control modes of a leg.
     AtRest
         "rest",
         "停止";
@@ -185,7 +185,7 @@ tipc::message_table! {
         "force",
         "力";
 
-    // Why it stands.
+    // Reasons of a stop.
     Start
         "at the beginning",
         "先頭です";
@@ -193,7 +193,7 @@ tipc::message_table! {
         "the program is over",
         "プログラムは終了しました";
 
-    // Why it does not do what it is asked.
+    // Refused requests.
     NoStepFrom { line: u32 }
         "no step is on line {line} or after it",
         "{line}行目以降にステップがありません";
@@ -227,7 +227,7 @@ tipc::message_table! {
     /// Messages of the import of a robot from URDF or MJCF.
     Importing;
 
-    // Why a file is refused.
+    // Reasons to refuse a file.
     NotXml { error: Text }
         "this is neither URDF nor MJCF: {error}",
         "URDFとしてもMJCFとしても読めません: {error}";
@@ -444,7 +444,7 @@ tipc::message_table! {
         "`--stand` is for a robot that walks, and this one is bolted down: leave it out",
         "`--stand` は歩くロボットのための指定ですが、これは固定されたロボットです。省いてください";
 
-    // What is reported of one that is not.
+    // Remarks on an accepted file.
     LeftOut { chains: List, mass: f64 }
         "left out, as asked: the chains of {chains}, which weigh {mass} kg",
         "指定により除いたもの: {chains} の連鎖 ({mass} kg)";

@@ -192,7 +192,7 @@ fn open_base(
     let world = &mut parts.world;
     if let (Some(pose), Some(body)) = (&initial_state.pose, &anatomy.body) {
         let [x, y, z] = metres(pose.position);
-        // The skin stands on the floor, not the point in it.
+        // The contact shape around the foot stands on the floor.
         let (at, attitude) = ([x, y, z + SKIN], quaternion(pose));
         let (shown, turned) = (vector(at), vector(attitude));
         world.open(&format!(
@@ -202,7 +202,7 @@ fn open_base(
         trunk(parts, body, shapes);
         parts.places.extend(at.into_iter().chain(attitude));
     } else if initial_state.objects.is_some() {
-        // Of the hand y is the height.
+        // For the hand, y is the height.
         let turned = vector([FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0, 0.0]);
         world.open(&format!("body name=\"{BASE}\" quat=\"{turned}\""));
     } else {

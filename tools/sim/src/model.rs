@@ -1,4 +1,4 @@
-//! Models of any size: what a robot has, what it reaches, and the machine that it is in.
+//! Models of any size: the parts of a robot, its reach, and its machine.
 
 use crate::dyn_machine::{DynMachine, NativeCommands};
 use crate::event_console::EventConsole;
@@ -72,11 +72,11 @@ impl Limb {
     }
 }
 
-/// A model of any size. Each size has its own; logic is outside.
+/// A model of any size, without logic of its own.
 pub(crate) trait DynModel: Send + Sync {
     fn anatomy(&self) -> RobotDescription;
-    /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it does, within working limits of all joints, leg by leg; without
-    /// them within those of the model.
+    /// Returns the miss of a PTP or PTP_ANGLE to these numbers, if it does not reach them. `limits` are the working
+    /// limits of all joints, leg by leg, or empty for those of the model.
     fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss>;
     /// Simulates the robot on its legs.
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware>;
@@ -152,7 +152,7 @@ pub(crate) enum Miss {
         /// The angle beyond the limit, deg; negative below the lower one.
         by: f64,
         limits: Range,
-        /// Number of the command that turns it, if each turns one joint.
+        /// Index of the number of the command that turns the joint, if each number turns one joint.
         number: Option<usize>,
     },
     /// Gap between the end of the foot's path and the target, mm.
@@ -161,9 +161,9 @@ pub(crate) enum Miss {
     Slides { axis: &'static str, travel: Range },
 }
 
-/// Gap that a search may leave although the target is within reach, mm.
+/// Gap that the search may leave to a target within reach, mm.
 const LEFT_OVER: f64 = 1.0;
-/// Difference of angles up to which it comes from rounding, deg.
+/// Difference of angles that rounding explains, deg.
 const ROUNDING: f64 = 1e-6;
 
 /// The points and joints that commands move, of a model with any number of legs.
@@ -186,7 +186,7 @@ impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for MovableParts<
 }
 
 impl<const J: usize> MovableParts<'_, J> {
-    /// Returns what PTP or PTP_ANGLE misses, if it misses.
+    /// Returns the miss of a PTP or PTP_ANGLE, if it does not reach its target.
     #[inline(never)] // Else it is compiled for each number of legs.
     fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss> {
         let leg = |n: u8| {
@@ -271,7 +271,7 @@ fn place<const J: usize>(
     }
 }
 
-/// Returns the end of the point's motion, if that is not near its target.
+/// Returns the miss at the end of the point's motion, if it is not near its target.
 fn ends<const J: usize>(
     leg: &Leg<J>,
     (kind, point): (Inverse, LegPoint),

@@ -1,11 +1,11 @@
-//! The motion of a robot, as a value of no size.
+//! The motion of a robot of any size, as values.
 
 use serde::Serialize;
 use std::fmt;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{self, Fingertip, Gap, Motion, ObjectState};
 
-/// The legs or fingers of a robot after a cycle, whatever its sensors say.
+/// The real state of legs or fingers after a cycle, without the errors of sensors.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Limbs {
@@ -68,11 +68,11 @@ pub struct Fall {
     pub step: u32,
     /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
-    /// Its body was upright then: one without mass would fall.
+    /// True if its body was upright then: a robot without mass would fall.
     pub is_upright: bool,
 }
 
-/// The kind of a fall: one definition for terminal, page and logs.
+/// The kind of a fall, defined once for terminal, page and logs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FallKind {
@@ -124,7 +124,7 @@ pub struct Approach {
 pub(crate) struct Incidents {
     /// The first fall.
     pub(crate) fall: Option<Fall>,
-    /// The least distance of two parts.
+    /// The smallest distance of two parts.
     pub(crate) nearest: Option<Approach>,
     /// The first collision of two parts.
     pub(crate) collision: Option<Approach>,

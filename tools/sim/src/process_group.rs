@@ -1,4 +1,4 @@
-//! Processes that a signal of the terminal does not reach, and that end with this one.
+//! Processes that end with this one, and that signals of the terminal do not reach.
 
 use std::io;
 use std::process::{Child, Command, ExitStatus};
@@ -12,8 +12,8 @@ const POLL_INTERVAL: Duration = Duration::from_millis(5);
 /// The processes that were started here and have not been ended.
 static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 
-/// Ends immediately all processes that were started here, and those that they started: for a command that is about to exit
-/// without dropping what it has.
+/// Ends immediately all processes that were started here, and those that they started. A command calls it before an
+/// exit that drops no values.
 pub fn end_processes() {
     for id in running().drain(..) {
         kill(id);
@@ -45,13 +45,13 @@ impl ProcessGroup {
         &mut self.child
     }
 
-    /// Waits so long for the end of the process that was started itself.
+    /// Waits up to a time for the end of the process that was started directly.
     pub(crate) fn wait(&mut self, longest: Duration) -> Option<ExitStatus> {
         let child = &mut self.child;
         wait(longest, || child.try_wait().ok().flatten())
     }
 
-    /// Waits so long for the end of all processes; then it ends them.
+    /// Waits up to a time for the end of all processes, then ends them.
     pub(crate) fn end(&mut self, grace: Duration) {
         if std::mem::replace(&mut self.is_over, true) {
             return;
@@ -75,7 +75,7 @@ impl Drop for ProcessGroup {
     }
 }
 
-/// Waits so long for something.
+/// Waits up to a time until `look` returns a value.
 fn wait<T>(longest: Duration, mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let begin = Instant::now();
     loop {

@@ -1,4 +1,4 @@
-//! Any program under one type, so that the control loop around it is compiled once.
+//! One type for all programs, so that the control loop is compiled once.
 
 use crate::interp::Interpreter;
 use std::any::Any;
@@ -12,7 +12,7 @@ use tip_runtime::program::{Context, Flow, Program, Signature};
 pub struct ProgramRunner {
     program: Box<dyn AnyProgram>,
     replacements: Arc<[Replacement]>,
-    /// The steps of the present cycle, if they are followed.
+    /// The steps of the present cycle, if they are recorded.
     trail: Option<Vec<StepTaken>>,
 }
 
@@ -21,7 +21,7 @@ pub struct ProgramRunner {
 pub struct StepTaken {
     /// The point at which it ran.
     pub from: ProgramPoint,
-    /// The point that it led to, itself if it waits; none at the end of the program or thread.
+    /// The point that it led to, which is itself if it waits; `None` at the end of the program or thread.
     pub to: Option<ProgramPoint>,
 }
 
@@ -48,7 +48,7 @@ impl<P: Program + Clone + Send + 'static> AnyProgram for P {
 }
 
 impl ProgramRunner {
-    /// Takes a program as it is.
+    /// Wraps a program.
     pub fn new(program: impl Program + Clone + Send + 'static) -> Self {
         ProgramRunner {
             program: Box::new(program),
@@ -69,7 +69,7 @@ impl ProgramRunner {
         self.trail.iter_mut().for_each(Vec::clear);
     }
 
-    /// Follows the steps from now on.
+    /// Records the steps from now on.
     pub(crate) fn follow(&mut self) {
         self.trail.get_or_insert_default();
     }

@@ -1,7 +1,7 @@
 //! A real robot as the hardware of a run: joints that this process reaches over a bus. A copy of such a run reaches none.
 //!
-//! Nothing but joints is connected to the bus. Other inputs exist as far as events give them a value; the rest is absent,
-//! which is a NaN and a `Sensor fault` where a program reads it.
+//! Only joints are connected to the bus. Other inputs have the values that events give them. An input without a value
+//! is NaN, and a `Sensor fault` if a program reads it.
 
 use crate::event::Events;
 use crate::message::Linting;
@@ -26,7 +26,8 @@ use tipc::program::{Action, Condition};
 
 /// The joints of a real robot, leg by leg: [`Hardware`](tip_runtime::hardware::Hardware) for a robot of any size.
 pub trait Joints: Send {
-    /// Measures the angle of each joint, deg, and says how many cycles ago it did, where it could not in this one.
+    /// Measures the angle of each joint, deg, and sets its age in cycles, which is above 0 if it could not be measured
+    /// in this one.
     ///
     /// # Errors
     /// The fault; the machine answers with an emergency stop.

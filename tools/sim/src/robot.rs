@@ -1,4 +1,4 @@
-//! Simulated robots, whatever their size.
+//! Simulated robots of any size.
 
 use crate::dyn_machine::{DynMachine, NativeCommands};
 
@@ -35,7 +35,8 @@ pub struct Robot {
 #[derive(Clone)]
 enum Hardware {
     Walker,
-    /// Made where its size is known, so that only hands of that size are compiled.
+    /// Creates a hand. The function comes from a place where its size is known, so that only hands of that size are
+    /// compiled.
     Hand(fn(&Scene) -> Box<dyn DynHardware>),
     Own(Box<dyn DynHardware>),
 }
@@ -96,7 +97,7 @@ impl Robot {
         }
     }
 
-    /// Chooses how it is simulated. A robot with a plant of its own keeps it.
+    /// Sets the kind of simulation. A robot with a plant of its own keeps that.
     #[must_use]
     pub fn with_plant(mut self, plant: Plant) -> Self {
         self.plant = plant;
@@ -122,8 +123,8 @@ impl Robot {
         &self.scene
     }
 
-    /// Answers SPECIAL by native code of its owner; for a hand that is usually
-    /// [`HandSpecials::with_user`](tip_runtime::special::hand::HandSpecials::with_user) it.
+    /// Sets the native code that answers SPECIAL. For a hand that is usually
+    /// [`HandSpecials::with_user`](tip_runtime::special::hand::HandSpecials::with_user) with that code.
     #[must_use]
     pub fn with_special(mut self, special: impl Special + Clone + Send + 'static) -> Self {
         self.special = Box::new(special);
@@ -183,7 +184,7 @@ impl Robot {
         SimHardware::new(self.simulated()).has_input(port)
     }
 
-    /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it misses.
+    /// Returns the miss of a PTP or PTP_ANGLE to these numbers, if it does not reach them.
     pub(crate) fn miss(
         &self,
         op: Op,
@@ -283,7 +284,7 @@ impl Plant {
     /// Returns the simulation of a walking robot in a scene; `None` if only its joints are
     /// simulated.
     pub(crate) fn walking(self, scene: &Scene) -> Option<Simulation> {
-        // Nothing but mass meets a block.
+        // Only a robot with mass can touch a block.
         let open = match scene.blocks.iter().flatten().next() {
             Some(_) => Simulation::Dynamic,
             None => Simulation::QuasiStatic,

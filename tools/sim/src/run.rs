@@ -1,4 +1,4 @@
-//! A run: a program on a simulated robot, with what happens to it from outside.
+//! A run: a program on a simulated robot, with events from outside.
 
 use crate::cycle::{Collector, Cycle};
 use crate::dyn_machine::DynMachine;
@@ -46,7 +46,7 @@ impl From<Option<u64>> for Limit {
     }
 }
 
-/// Accompanies a run while it lasts.
+/// Observes a run and can interrupt it.
 pub trait Observer {
     /// Called before each cycle, and now and then while a robot outside of this process is awaited;
     /// `false` interrupts the run.
@@ -70,12 +70,12 @@ impl Observer for () {}
 
 /// A program on a simulated robot, cycle by cycle.
 ///
-/// A run is a value: it is copied with [`Clone`], marked with [`snapshot`](Self::snapshot) and taken back with
-/// [`restore`](Self::restore). Its listeners are outside, and are not copied.
+/// A run is a value: it is copied with [`Clone`], saved with [`snapshot`](Self::snapshot) and set back with
+/// [`restore`](Self::restore). Its listener is not copied.
 pub struct Run {
     pub(crate) machine: Box<dyn DynMachine>,
     pub(crate) events: Events,
-    /// Number of them that have happened.
+    /// Number of events that have happened.
     pub(crate) happened: usize,
     pub(crate) ending: Option<Ending>,
     pub(crate) incidents: Incidents,
@@ -83,7 +83,8 @@ pub struct Run {
 }
 
 impl Run {
-    /// Puts a program on a robot, before its first cycle: compiled code, or what [`load`](crate::load) gives.
+    /// Creates a run before its first cycle. The program is compiled code, or an interpreter from
+    /// [`load`](crate::load).
     ///
     /// # Errors
     /// The program was checked for another robot.
@@ -94,7 +95,7 @@ impl Run {
         Self::of(ProgramRunner::new(program), &robot)
     }
 
-    /// Puts a program with any engine on a robot.
+    /// Creates a run of a program with any engine.
     ///
     /// # Errors
     /// The program was checked for another robot.
@@ -113,7 +114,7 @@ impl Run {
         }
     }
 
-    /// Adds events, given as text, to those that are to happen.
+    /// Adds events, given as text.
     ///
     /// # Errors
     /// The text is not a list of events, or the robot lacks an input.
@@ -122,7 +123,7 @@ impl Run {
         self.with_events(&events)
     }
 
-    /// Adds events to those that are to happen.
+    /// Adds events.
     ///
     /// # Errors
     /// The robot lacks an input.
@@ -156,7 +157,7 @@ impl Run {
         }
     }
 
-    /// Lets one more event happen; immediately in the next cycle if its own is over.
+    /// Adds an event. If its cycle is over, it happens in the next one.
     ///
     /// # Errors
     /// The errors of [`accepts`](Self::accepts).
@@ -171,12 +172,12 @@ impl Run {
         &self.events
     }
 
-    /// Forgets all events that were to happen from now on; past ones stay.
+    /// Removes all future events. Past ones stay.
     pub fn forget_events(&mut self) {
         self.events.truncate(self.happened);
     }
 
-    /// Assigns a variable before the next step, as an event that is replayed when the run is taken back.
+    /// Assigns a variable before the next step, as an event that is replayed after [`restore`](Self::restore).
     ///
     /// # Errors
     /// The program has no such variable, or it is a constant, or the value is not finite.
@@ -184,8 +185,8 @@ impl Run {
         self.add(Event::Set(name.to_owned(), value).at(self.cycles()))
     }
 
-    /// Shows a console what the program shows from now on, and asks it for keys, after those of events. It takes the
-    /// place of the one before.
+    /// Sets the console, which gets the output of the program from now on and gives keys after those of events. It
+    /// replaces the previous one.
     #[must_use]
     pub fn with_console(mut self, console: impl Console + Send + 'static) -> Self {
         let listener: Box<dyn Listener> = Box::new(console);
@@ -249,13 +250,13 @@ impl Run {
                 return self.end(Ending::Interrupted);
             }
             self.advance(observer.sink());
-            // What it did in this cycle; nobody who has enough need wait for it.
+            // Waits for the result of this cycle. An observer that interrupts need not wait.
             self.is_awaited(observer);
             observer.after(self);
         }
     }
 
-    /// Waits for a robot outside of this process; `false` if the observer does not.
+    /// Waits for a robot outside of this process. Returns false if the observer interrupts the wait.
     fn is_awaited(&mut self, observer: &mut (impl Observer + ?Sized)) -> bool {
         while !self.machine.hardware_mut().is_ready(POLL_INTERVAL) {
             if !observer.goes_on() {
@@ -293,7 +294,7 @@ impl Run {
         status
     }
 
-    /// Lets everything happen that is due.
+    /// Applies all events that are due.
     pub(crate) fn happen(&mut self) {
         let cycle = self.cycles();
         while let Some(due) = self.events.all().get(self.happened) {
@@ -303,14 +304,14 @@ impl Run {
             match &due.event {
                 Event::Key(byte) => self.machine.console_mut().press(*byte),
                 Event::Halt => self.machine.console_mut().press(ESCAPE),
-                // The robot was asked when it was added.
+                // `accepts` has checked that the robot has the input.
                 Event::Sensor(port, volts) => {
                     self.machine.hardware_mut().set_sensor(*port, *volts);
                 }
-                // It was tried when it was added.
+                // `accepts` has checked the assignment.
                 Event::Set(name, value) => drop(self.machine.program_mut().set(name, *value)),
                 Event::Touch(on) => self.machine.hardware_mut().touch(*on),
-                // Both were tried when they were added.
+                // `accepts` has checked that the simulation of the robot supports both.
                 Event::Push(force, cycles) => {
                     self.machine.hardware_mut().push(*force, *cycles);
                 }
@@ -324,13 +325,12 @@ impl Run {
         }
     }
 
-    /// Runs no steps and holds the robot, or goes on. Paused cycles do not count.
+    /// Pauses or continues the program. During a pause the robot is held, no steps run and cycles do not count.
     pub fn pause(&mut self, on: bool) {
         self.machine.pause(on);
     }
 
-    /// Returns the end of the run, if it has ended; a run whose cycles were used up goes on when it
-    /// is asked to.
+    /// Returns the ending, if the run has ended. A run that ended at its limit can be continued.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
@@ -355,7 +355,7 @@ impl Run {
         self.machine.period()
     }
 
-    /// Returns the program as the run has left it.
+    /// Returns the program in its present state.
     pub fn program(&self) -> &dyn Program {
         self.machine.program()
     }
@@ -371,8 +371,7 @@ impl Run {
         self.machine.hardware().plant().downcast_ref()
     }
 
-    /// Returns true if a flag of conditions is up, as the step of the next cycle finds it unless
-    /// sensors and keys change it.
+    /// Returns the value of an event flag, as the step of the next cycle reads it unless sensors or keys change it.
     pub fn flag(&self, flag: Flag) -> bool {
         self.machine.flag(flag)
     }
@@ -440,8 +439,8 @@ impl Run {
         self.machine.hardware().pose()
     }
 
-    /// Returns the distance that the body has come; none for a robot that stays where it is, or
-    /// that another process simulates without giving the pose.
+    /// Returns the travel of the body; `None` for a robot that stays where it is, or that another process simulates
+    /// without giving the pose.
     pub fn travel(&self) -> Option<Travel> {
         self.machine.hardware().travel()
     }
@@ -467,13 +466,12 @@ impl Run {
         self.incidents.collision
     }
 
-    /// Returns the legs or fingers as they are after the last cycle; none if nothing but joints is
-    /// simulated.
+    /// Returns the state of legs or fingers after the last cycle; `None` if only joints are simulated.
     pub fn limbs(&self) -> Option<Limbs> {
         self.machine.hardware().limbs()
     }
 
-    /// Returns the aims of every leg or finger, foot by foot or joint by joint.
+    /// Returns the set points of every leg or finger, foot by foot or joint by joint.
     pub fn setpoints(&self) -> Vec<Setpoint> {
         self.machine.setpoints()
     }
@@ -483,7 +481,8 @@ impl Run {
         self.machine.hardware().grasp()
     }
 
-    /// Keeps the first fall, the first collision and the least distance of two parts, if they were in this cycle.
+    /// Records the first fall, the first collision and the smallest distance of two parts, if they happened in this
+    /// cycle.
     fn note_incidents(&mut self, cycle: u64, time: f64, step: u32) {
         if let Some(clearance) = self.clearance() {
             let gap = clearance.now;
@@ -538,8 +537,8 @@ impl fmt::Debug for Run {
     }
 }
 
-/// A run at some cycle: its program, controller, plant, special commands, waiting keys, how many events have happened,
-/// and how long its trace and its console's transcript were.
+/// The state of a run at a cycle: program, controller, plant, special commands, waiting keys, the number of past
+/// events, and the lengths of its trace and of its console's transcript.
 pub struct Snapshot {
     machine: Box<dyn DynMachine>,
     happened: usize,
@@ -558,7 +557,7 @@ impl fmt::Debug for Snapshot {
 }
 
 impl Run {
-    /// Marks where the run is.
+    /// Returns the present state of the run.
     pub fn snapshot(&self) -> Snapshot {
         Snapshot {
             machine: self.machine.boxed(),
@@ -570,9 +569,9 @@ impl Run {
         }
     }
 
-    /// Takes the run back to where a mark of it was made; from there on it does the same to the bit, as long as the same
-    /// happens to it. Its console stays; of a [`Transcript`](tip_runtime::console::Transcript) and of the trace only
-    /// what was there at the mark is left.
+    /// Sets the run back to a snapshot of it. From there on the same events give the same run, bit for bit. The console
+    /// stays, but a [`Transcript`](tip_runtime::console::Transcript) and the trace are cut to their lengths in the
+    /// snapshot.
     pub fn restore(&mut self, mark: &Snapshot) {
         let listener = self.machine.console_mut().replace(None);
         self.machine = mark.machine.boxed();
@@ -589,7 +588,7 @@ impl Run {
     }
 }
 
-/// The lengths of what only grows in a transcript.
+/// The lengths of the growing parts of a transcript.
 #[derive(Clone, Copy, Debug)]
 struct Lengths {
     messages: usize,
@@ -614,7 +613,7 @@ impl Lengths {
         }
     }
 
-    /// Takes away what came later.
+    /// Removes everything after these lengths.
     fn restore(self, shown: &mut Transcript) {
         shown.messages.truncate(self.messages);
         shown.appended.truncate(self.appended);

@@ -1,5 +1,5 @@
-//! The search for inputs that lead where no run has been: runs that reached something new are varied, most often
-//! just before cycles in which a condition has had only one outcome so far. Where the engines differ the inputs are shrunk.
+//! The search for inputs that reach new coverage points. Runs that reached new points are varied, most often just
+//! before cycles in which a condition has had only one outcome so far. If the engines differ, the inputs are shrunk.
 //!
 //! ```
 //! use tip_sim::event::{Event, Inputs};
@@ -33,9 +33,9 @@ use tip_runtime::random::Random;
 use tipc::language::flags::{self, Cause};
 use tipc::program::{Action, Condition, Operand, Program};
 
-/// Two engines that run the same program, wherever they are.
+/// Two engines that run the same program, in this process or another one.
 pub trait Engines {
-    /// The error that keeps them from running.
+    /// The error if they cannot run.
     type Error;
 
     /// Runs both engines once.
@@ -56,7 +56,7 @@ impl Engines for Session {
 /// The reason why a search has no result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failed<E> {
-    /// The robot lacks something that was asked for.
+    /// The robot lacks a requested input.
     Refused(String),
     /// The engines fail.
     Engines(E),
@@ -73,8 +73,8 @@ impl<E: fmt::Display> fmt::Display for Failed<E> {
 
 impl<E: fmt::Debug + fmt::Display> std::error::Error for Failed<E> {}
 
-/// Compares the engines of a program: in one run if something is to happen, else in `runs` runs with searched inputs.
-/// Gives what the runs came to, and the shortest inputs on which the engines differ.
+/// Compares the engines of a program: in one run if `inputs` has events, else in `runs` runs with searched inputs.
+/// Returns the coverage, and the shortest inputs on which the engines differ.
 ///
 /// # Errors
 /// The robot lacks an input, or the engines fail.
@@ -98,16 +98,16 @@ pub fn verify<E: Engines>(
     Ok((coverage, shortest))
 }
 
-/// Every search of a program is the same.
+/// Seed of the search, so that every search of a program is the same.
 const SEED: u64 = 1;
-/// The first variations of the run without events fall into so many parts of it.
+/// Number of parts of the run without events at whose starts the first variations have their event.
 const PARTS: u64 = 4;
-/// The most cycles that an event comes ahead of a chance.
+/// Maximum number of cycles by which an event precedes a chance.
 const AHEAD: u64 = 4;
-/// The most times that an event repeats itself.
+/// Maximum number of repetitions of an event.
 const REPEATS: u64 = 12;
 
-/// A run that reached something new.
+/// A run that reached new points.
 #[derive(Clone, Debug)]
 struct Seed {
     events: Vec<Timed>,
@@ -119,7 +119,7 @@ struct Seed {
 struct Search<'a, E> {
     engines: &'a mut E,
     coverage: &'a mut Coverage,
-    /// The most cycles of each run.
+    /// Maximum number of cycles of each run.
     cycles: Option<u64>,
     seeds: Vec<Seed>,
     random: Random,
@@ -137,7 +137,8 @@ impl<'a, E: Engines> Search<'a, E> {
         }
     }
 
-    /// Makes `runs` runs, or one only if nothing from outside matters to the program; ends immediately where the engines differ.
+    /// Makes `runs` runs, or a single one if no event matters to the program. Ends at the first difference between the
+    /// engines.
     fn run(mut self, program: &Program, runs: u64) -> Result<Option<Diverging>, Failed<E::Error>> {
         let choices = inputs(program);
         if let Some(diverging) = self.attempt(Vec::new())? {
@@ -175,7 +176,7 @@ impl<'a, E: Engines> Search<'a, E> {
         }
     }
 
-    /// Returns a run that reached something new, more likely a late one, with one to three changes.
+    /// Returns the events of a run that reached new points, more likely a late one, with one to three changes.
     fn varied(&mut self, choices: &[Event]) -> Vec<Timed> {
         let count = self.seeds.len() as u64;
         let which = self.random.below(count).max(self.random.below(count));
@@ -208,7 +209,7 @@ impl<'a, E: Engines> Search<'a, E> {
         events
     }
 
-    /// Adds the same event again and again, as counters ask for it.
+    /// Adds an event several times, for programs that count.
     fn repeat(&mut self, choices: &[Event], seed: &Seed, events: &mut Vec<Timed>) {
         let Some(what) = self.random.pick(choices).cloned() else {
             return;
@@ -228,7 +229,7 @@ impl<'a, E: Engines> Search<'a, E> {
     }
 }
 
-/// Returns the inputs that some events make. Of several halt requests the first one counts.
+/// Returns inputs with some events. Only the first of several halt requests is kept.
 fn of_events(events: &[Timed], cycles: Option<u64>) -> Inputs {
     let mut events = events.to_vec();
     events.sort_by_key(|timed| timed.cycle);
@@ -253,7 +254,7 @@ fn first(choices: &[Event], length: u64) -> Vec<Vec<Timed>> {
 /// The engines fail.
 pub fn shrink<E: Engines>(engines: &mut E, diverging: Diverging) -> Result<Diverging, E::Error> {
     let mut events = diverging.inputs.events.all().to_vec();
-    // The order of the options, which are tried one after the other.
+    // The order in which the kinds of events are tried.
     events.sort_by_key(|timed| match timed.event {
         Event::Key(_) => 0,
         Event::Sensor(..) => 1,
@@ -273,7 +274,7 @@ pub fn shrink<E: Engines>(engines: &mut E, diverging: Diverging) -> Result<Diver
             break;
         }
     }
-    // The last cycle is the one that differs.
+    // The run ends with the cycle that differs.
     let mut best = shrinking.best;
     best.inputs.events = shrinking.events.into();
     best.inputs.cycles = Some(best.divergence.cycle + 1);
@@ -352,7 +353,7 @@ pub enum RunResult {
     Agreed {
         /// Number of cycles that were compared.
         cycles: u64,
-        /// True if it reached something that no run before it did.
+        /// True if it reached a point that no run before it did.
         is_new: bool,
         /// Cycles where another input may change the path.
         chances: Vec<u64>,
@@ -364,7 +365,7 @@ pub enum RunResult {
 /// Results of all runs.
 #[derive(Debug)]
 pub struct Coverage {
-    /// The spots that they reached.
+    /// The points that they reached.
     pub reach: ReachedPoints,
     /// Cycles that were compared.
     pub cycles: u64,
@@ -433,12 +434,12 @@ impl Coverage {
     }
 }
 
-/// Key codes beyond these are none that a program can get.
+/// Codes of the keys that a program can get.
 const KEYS: std::ops::RangeInclusive<f64> = 32.0..=126.0;
 /// Range of the inputs' readings, V.
 const VOLTS: std::ops::RangeInclusive<f64> = -10.0..=10.0;
 
-/// Returns every single event that may happen to a program and matter to it.
+/// Returns every single event that can affect a program.
 pub fn inputs(program: &Program) -> Vec<Event> {
     let mut takes_keys = false;
     let mut takes_halts = false;
@@ -447,7 +448,7 @@ pub fn inputs(program: &Program) -> Vec<Event> {
     for step in program.steps() {
         match step.action {
             Action::KeyIn { .. } => takes_keys = true,
-            // Channels have no name that a command line could give.
+            // Channels have no name for a command line.
             Action::AdIn { port, .. } if !matches!(port, Port::Channel(_)) => ports.push(port),
             _ => {}
         }
@@ -487,7 +488,7 @@ fn constant(operand: &Operand) -> Option<f64> {
     }
 }
 
-/// Returns the keys that conditions ask for, and one that none asks for.
+/// Returns the keys in conditions, and one that is in none.
 fn keys(numbers: &[f64]) -> BTreeSet<u8> {
     let codes = numbers.iter().filter(|number| KEYS.contains(number));
     let mut keys: BTreeSet<u8> = codes.map(|number| *number as u8).collect();
@@ -495,7 +496,7 @@ fn keys(numbers: &[f64]) -> BTreeSet<u8> {
     keys
 }
 
-/// Returns values below, at and above each number that conditions ask for, and both ends.
+/// Returns values below, at and above each number in conditions, and both ends of the range.
 fn volts(numbers: &[f64]) -> Vec<f64> {
     let around = numbers
         .iter()

@@ -40,7 +40,7 @@ pub(crate) fn has_input(soles: usize, port: Port) -> bool {
 /// A simulated robot of any size. A method that is not overridden belongs to a robot that lacks it.
 pub(crate) trait DynHardware: Send {
     fn boxed(&self) -> Box<dyn DynHardware>;
-    /// Returns what simulates it.
+    /// Returns the plant or process behind it.
     fn plant(&self) -> &dyn Any;
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault>;
     fn write(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault>;
@@ -60,13 +60,13 @@ pub(crate) trait DynHardware: Send {
         false
     }
 
-    /// Waits until the sensors can be read, but not longer than this; returns true if they can.
+    /// Waits up to a time until the sensors can be read. Returns true if they can.
     fn is_ready(&mut self, longest: Duration) -> bool {
         let _ = longest;
         true
     }
 
-    /// Lets joints feel something, or nothing any more, where only events say what they touch.
+    /// Switches the contacts of joints on or off, if the simulation has no contacts of its own.
     fn touch(&mut self, on: bool) {
         let _ = on;
     }
@@ -223,7 +223,7 @@ pub(crate) struct SimHardware {
     simulated: Box<dyn DynHardware>,
     /// The next reading fails.
     pub(crate) read_fails: bool,
-    /// Every writing from now on fails.
+    /// Every write from now on fails.
     pub(crate) write_fails: bool,
 }
 
@@ -236,8 +236,8 @@ impl SimHardware {
         }
     }
 
-    /// Lets every foot or finger feel something, or nothing any more. Simulated joints feel what is there: of them
-    /// only the readings of soles can be set.
+    /// Switches the contact sensors of all feet or fingers on or off. Simulated joints feel real contacts; on their
+    /// robots only the readings of soles change.
     pub(crate) fn touch(&mut self, on: bool) {
         let volts = if on { PRESSED } else { 0.0 };
         for leg in (1..).take(MAX) {

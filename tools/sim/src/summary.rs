@@ -325,7 +325,7 @@ impl SummaryBuilder {
         self.ended = sample.ended;
     }
 
-    /// Sets the number of falls of a trace, which says no more of them.
+    /// Sets the number of falls of a trace, which has no other data about them.
     pub fn count_falls(&mut self, count: u32, at: Moment) {
         let falls = &mut self.summary.falls;
         let first = falls.and_then(|falls| falls.first);

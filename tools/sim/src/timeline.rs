@@ -1,8 +1,8 @@
-//! A run with its past: checkpoints, ways back, and branches.
+//! A run with its past: checkpoints, rewinding, and branches.
 //!
-//! A position is the number of the cycle that comes next. A run is taken back to a position by restoring the last checkpoint
-//! that is not after it, and running on from there, which does the same to the bit. What is noted of each cycle, such as its
-//! step or the motion of the robot, belongs to the owner of a timeline.
+//! A position is the number of the cycle that comes next. A run returns to a position by restoring the last checkpoint
+//! at or before it and running on from there, which gives the same bits. The owner of a timeline keeps records of
+//! cycles, such as their steps or the motion of the robot.
 //!
 //! ```
 //! use tip_sim::{Robot, Run, Timeline, load};
@@ -35,26 +35,26 @@ use tip_runtime::record::Sink;
 /// Least number of cycles between two checkpoints.
 const SPACING: u64 = 200;
 
-/// The most checkpoints: more than ten minutes of 2 ms need.
+/// Maximum number of checkpoints: enough for more than ten minutes of 2 ms cycles.
 const MAX_CHECKPOINTS: usize = 2048;
 
-/// The most values of variables in all checkpoints together.
+/// Maximum number of values of variables in all checkpoints together.
 const VALUES: usize = 1 << 24;
 
-/// A run that can be taken back, and what its owner keeps with each checkpoint.
+/// A run that can be set back, with a value of its owner for each checkpoint.
 pub struct Timeline<T = ()> {
     run: Run,
     now: u64,
     checkpoints: Vec<Checkpoint<T>>,
     spacing: u64,
     most: usize,
-    /// Happen in every branch.
+    /// Events that happen in every branch.
     scripted: Events,
-    /// Were added in this branch, in order of their cycles.
+    /// Events that were added in this branch, in order of their cycles.
     changes: Events,
 }
 
-/// A position to which a run can be taken back.
+/// A position to which a run can be set back.
 struct Checkpoint<T> {
     at: u64,
     snapshot: Snapshot,
@@ -62,8 +62,8 @@ struct Checkpoint<T> {
 }
 
 impl<T> Timeline<T> {
-    /// Makes the first checkpoint of a run before its first cycle. Its events happen in every branch. The more variables its
-    /// program has, the fewer checkpoints are kept.
+    /// Creates the timeline of a run before its first cycle. The events of the run happen in every branch. The more
+    /// variables its program has, the fewer checkpoints are kept.
     pub fn new(run: Run, kept: T) -> Self {
         let program = run.program();
         let values = (0..).take_while(|at| program.scalar(*at).is_some());
@@ -83,7 +83,7 @@ impl<T> Timeline<T> {
         }
     }
 
-    /// Adds events that happen in every branch; before the first cycle.
+    /// Adds events that happen in every branch. It must be called before the first cycle.
     ///
     /// # Errors
     /// The robot or the program lacks what they change.
@@ -119,13 +119,14 @@ impl<T> Timeline<T> {
         cycle
     }
 
-    /// Lets everything happen that is due before the next cycle, which otherwise does so itself.
+    /// Applies the events that are due before the next cycle. Otherwise that cycle applies them.
     pub fn happen(&mut self) {
         self.run.happen();
     }
 
-    /// Makes a checkpoint here if this position is far enough from the last one, and returns true if it did. When there are too many, every second one
-    /// goes, and later ones are as far apart as those that stay: a run of any length needs no more memory than a long one.
+    /// Makes a checkpoint here if this position is far enough from the last one, and returns true if it did. If there
+    /// are too many, every second one is removed, and later ones have the new distance, so that memory is bounded for a
+    /// run of any length.
     pub fn note(&mut self, kept: impl FnOnce() -> T) -> bool {
         let last = self.checkpoints.last().map_or(0, |last| last.at);
         if self.now < last + self.spacing {
@@ -147,7 +148,7 @@ impl<T> Timeline<T> {
         true
     }
 
-    /// Returns the last checkpoint that is not after a position: its own position, and how the run was.
+    /// Returns the last checkpoint at or before a position: its own position, and its snapshot.
     pub fn before(&self, at: u64) -> Option<(u64, &Snapshot)> {
         let found = self.checkpoints.get(self.index_before(at)?)?;
         Some((found.at, &found.snapshot))
@@ -158,8 +159,8 @@ impl<T> Timeline<T> {
         later.checked_sub(1)
     }
 
-    /// Takes the run to the last checkpoint that is not after a position, and returns what was kept there. The cycles from
-    /// there up to the position are left to the owner.
+    /// Sets the run back to the last checkpoint at or before a position, and returns the owner's value there. The owner
+    /// runs the cycles from there up to the position.
     pub fn rewind(&mut self, to: u64) -> Option<&T> {
         let found = self.checkpoints.get(self.index_before(to)?)?;
         self.run.restore(&found.snapshot);
@@ -167,22 +168,22 @@ impl<T> Timeline<T> {
         Some(&found.kept)
     }
 
-    /// Returns the first position to which the run can be taken back.
+    /// Returns the first position to which the run can be set back.
     pub fn first(&self) -> u64 {
         self.checkpoints.first().map_or(0, |first| first.at)
     }
 
-    /// Forgets the checkpoints that no position from this one on needs.
+    /// Removes the checkpoints that no position from this one on needs.
     pub fn forget_before(&mut self, at: u64) {
         let kept = self.index_before(at).unwrap_or_default();
         self.checkpoints.drain(..kept);
     }
 
-    /// Begins another future: forgets the checkpoints after this position, and the changes that have not happened yet.
+    /// Begins a new branch: removes the checkpoints after this position, and the changes that have not happened yet.
     pub fn branch(&mut self) {
         let now = self.now;
         self.checkpoints.retain(|other| other.at <= now);
-        // Those of this position happen together; whoever asked for that has seen them.
+        // The events of this position happen together, and may have happened already.
         let earlier = self.scripted.before(now) + self.changes.before(now);
         let next = now + u64::from(self.run.happened > earlier);
         self.changes.truncate(self.changes.before(next));

@@ -5,15 +5,15 @@ use tip_runtime::command::Command;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Cycle, Ending, JsonLines, Sink};
 
-/// Records of the cycles so far, which only grow.
+/// The records of the cycles so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
-    /// Writes the record of one cycle; keeps the variables after the one before.
+    /// The writer of the record of a cycle, with the variables after the previous cycle.
     writer: JsonLines<String>,
     records: String,
 }
 
-/// A trace at some cycle: how long it was, and what its writer knew.
+/// The state of a trace at a cycle: its length, and its writer.
 #[derive(Clone, Debug)]
 pub(crate) struct TraceMark {
     writer: JsonLines<String>,
@@ -32,7 +32,7 @@ impl Trace {
         &mut self.writer
     }
 
-    /// Keeps the record of the cycle that is over.
+    /// Appends the record of the last cycle.
     pub(crate) fn keep(&mut self) {
         self.records.push_str(self.writer.get_ref());
         self.writer.get_mut().clear();
@@ -67,10 +67,10 @@ pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
     writer.into_inner()
 }
 
-/// Tells two sinks the same.
+/// A sink that reports to two sinks.
 struct Tee<'a>(&'a mut dyn Sink, &'a mut dyn Sink);
 
-/// Returns the sinks that there are, as one.
+/// Calls a function with one sink for those that exist.
 pub(crate) fn tee<T>(
     first: Option<&mut dyn Sink>,
     second: Option<&mut dyn Sink>,

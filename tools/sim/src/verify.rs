@@ -1,5 +1,5 @@
-//! A program's compiled code beside the interpreter, where there is only its text: cargo builds both into a process of
-//! their own, with the runtime of a project. `tip verify` is this and [`search::verify`].
+//! Compares the compiled code of a program text with the interpreter: cargo builds both into a process of their own,
+//! with the runtime of a project. `tip verify` uses this and [`search::verify`].
 //!
 //! ```no_run
 //! use tip_sim::verify::{Project, Subject};
@@ -97,7 +97,7 @@ impl Project {
     }
 }
 
-/// A run may take this long, and so much more for each of its cycles.
+/// Time limit of a run, to which a time for each of its cycles is added.
 const PATIENCE: Duration = Duration::from_secs(60);
 const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
 
@@ -131,7 +131,7 @@ impl Engines {
         let (sender, answers) = mpsc::channel();
         thread::spawn(move || {
             let lines = BufReader::new(output).lines().map_while(Result::ok);
-            // When no one listens any more, no one misses the rest.
+            // Sending fails if the receiver is gone, which needs no further answers.
             let _ = lines.into_iter().try_for_each(|line| sender.send(line));
         });
         Ok(Engines {
@@ -142,14 +142,14 @@ impl Engines {
         })
     }
 
-    /// Ends a run without an answer as soon as this is true: after Ctrl-C, say.
+    /// Sets a condition that ends the wait for an answer, for example after Ctrl-C.
     #[must_use]
     pub fn given_up_if(mut self, given_up: fn() -> bool) -> Self {
         self.given_up = given_up;
         self
     }
 
-    /// Returns the next answer, if it comes in time and is not given up.
+    /// Returns the next answer, if it comes in time and the wait is not cancelled.
     fn answer(&self, patience: Duration) -> Result<String, RecvTimeoutError> {
         let begin = Instant::now();
         loop {
@@ -166,7 +166,7 @@ impl search::Engines for Engines {
     type Error = NotBuilt;
 
     fn ask(&mut self, inputs: &Inputs) -> Result<Answer, NotBuilt> {
-        // A process that is gone shows when its answer is missing.
+        // If the process has ended, the missing answer shows that.
         let _ = writeln!(self.requests, "{inputs}").and_then(|()| self.requests.flush());
         let cycles = u32::try_from(inputs.cycles.unwrap_or(LIMIT)).unwrap_or(u32::MAX);
         let patience = PATIENCE.saturating_add(PATIENCE_PER_CYCLE.saturating_mul(cycles));
@@ -202,7 +202,7 @@ pub enum NotBuilt {
         /// Output of cargo, line by line.
         said: String,
     },
-    /// Something outside does not do what it is asked.
+    /// Another program or the system fails.
     Failed(String),
     /// A file cannot be written.
     CannotWrite {

@@ -10,8 +10,7 @@ use tipc::program::{Action, Condition, Operand, Program, Step};
 
 /// Time between two checks of joints that move slowly, and of variables, ms.
 const OFTEN: f64 = 1000.0;
-/// A joint that is this much from where it was has moved: deg. Fingers that press on something tremble by some tenths, which moves
-/// nothing.
+/// Change of an angle that counts as a motion, deg. Fingers that press on something tremble by a few tenths.
 const MOVED: f64 = 1.0;
 
 /// A wait.
@@ -27,20 +26,21 @@ pub struct Wait {
     pub time: f64,
 }
 
-/// Watches a run for waits. A robot whose commanded angles change moves; a program that comes to a step for the first time
-/// since then, that changes variables or switches lamps, does something.
+/// Finds waits of a run. A wait begins when neither the robot nor the program does anything any more. The robot moves
+/// if commanded angles change. The program acts if it changes variables, switches lamps, or reaches a step for the
+/// first time since such an action.
 #[derive(Clone, Debug, Default)]
 pub struct WaitDetector {
-    /// The cycle in which each step was the next one, the last time.
+    /// The last cycle in which each step was the next one.
     visited: Vec<u64>,
-    /// The step that is next, and since when.
+    /// The next step; `entered` is the time since which it is.
     step: u32,
     entered: f64,
-    /// True if nothing came before it again.
+    /// True if the step had not been reached since the last action.
     is_first: bool,
-    /// Steps that were next before this cycle count as new ones.
+    /// The cycle of the last action: steps that were reached only before it count as new.
     effect: u64,
-    /// The cycle in which something was done last, and when that was.
+    /// The cycle that ended the last activity; `rests_since` is its time.
     done: u64,
     rests_since: f64,
     commands: Vec<JointCommand>,
@@ -51,7 +51,7 @@ pub struct WaitDetector {
 }
 
 impl WaitDetector {
-    /// Looks at a [followed](Run::followed) run after each of its cycles.
+    /// Takes the state of a [followed](Run::followed) run after each of its cycles.
     pub fn after(&mut self, run: &Run) {
         let (cycle, now, step) = (run.cycles(), run.time(), run.program().at());
         let Some(program) = run.engine::<Interpreter>().map(Interpreter::program) else {
@@ -60,7 +60,7 @@ impl WaitDetector {
         self.visited.resize(program.steps().len(), 0);
         let action = |step: u32| program.steps().get(step as usize).map(|step| &step.action);
         let is_other = step != self.step;
-        // Threads, and several steps of a cycle, go on beside the step that is next.
+        // Threads, and earlier steps of the same cycle, count as well as the next step.
         let taken = run.steps().iter();
         let came =
             taken.filter_map(|StepTaken { from, to }| to.map(|to| (to.step, to.step != from.step)));
@@ -83,7 +83,7 @@ impl WaitDetector {
         if is_other {
             (self.step, self.entered, self.is_first) = (step, now, is_new.unwrap_or_default());
         }
-        // The time that a program lets pass once is no wait.
+        // A SLEEP that is reached for the first time is no wait.
         let sleeps =
             self.is_first && matches!(action(step), Some(Action::Command { op: Op::Sleep, .. }));
         if does || sleeps {
@@ -95,7 +95,7 @@ impl WaitDetector {
         (self.done, self.rests_since) = (cycle, now);
     }
 
-    /// Returns true if robot or variables have changed.
+    /// Returns true if the robot has moved or variables have changed.
     fn moves(&mut self, run: &Run, now: f64) -> bool {
         let is_first = self.commands.is_empty();
         let mut moves = self.commands != run.commands();
@@ -125,7 +125,7 @@ impl WaitDetector {
         run.time() - self.rests_since
     }
 
-    /// Returns what the run waits for now, if it does.
+    /// Returns the present wait of the run, if it waits.
     pub fn now(&self, run: &Run) -> Option<Wait> {
         let program = run.engine::<Interpreter>()?.program();
         let step = program.steps().get(run.program().at() as usize)?;
@@ -185,7 +185,8 @@ pub struct WaitCircle {
 }
 
 impl WaitCircle {
-    /// Returns the circles of a run of the interpreter, also those that the main program does not wait for.
+    /// Returns all circles of waiting threads in a run of the interpreter, also those for which the main program does
+    /// not wait.
     pub fn all(run: &Run) -> Vec<Self> {
         let Some(program) = run.engine::<Interpreter>().map(Interpreter::program) else {
             return Vec::new();
@@ -246,7 +247,7 @@ fn each_other(run: &Run, program: &Program, action: &Action) -> Option<Awaited> 
     Some(Awaited::EachOther { names })
 }
 
-/// Returns true if a step does what can be seen without a motion.
+/// Returns true if a step has a visible effect other than a motion.
 fn switches(action: &Action) -> bool {
     matches!(
         action,

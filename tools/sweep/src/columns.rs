@@ -8,7 +8,7 @@ use std::fmt;
 use std::sync::Arc;
 use tipc::language::Keyword;
 
-/// The end of a run that was cut off.
+/// The word for the end of a run that was cut off at its limit.
 pub const LIMIT: &str = "limit";
 
 tipc::message_table! {
@@ -63,7 +63,7 @@ impl From<Meaning> for Texts {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// Numbers; NaN where there is none.
+    /// Numbers; NaN for a missing one.
     Number,
     /// Counts.
     Count,
@@ -124,7 +124,7 @@ pub(crate) enum Measure {
     PeakTorque,
     Energy,
     Cost,
-    /// A number of an object under a hand, by the object's index.
+    /// A measure of an object under a hand, by the index of the object.
     Object(usize, ObjectMeasure),
     /// A recorded scalar, by its index in `record`.
     Final(usize),
@@ -145,7 +145,7 @@ impl ObjectMeasure {
 }
 
 impl Measure {
-    /// Returns the column of the measure; `name` completes those that the sweep names.
+    /// Returns the column of the measure. `name` is the name of an axis or a recorded scalar.
     pub(crate) fn column(self, name: &str) -> Column {
         use Kind::{Count, Number, Text};
         let object = |of: &str| match self {
@@ -247,7 +247,7 @@ pub struct Row {
     cells: Vec<Cell>,
 }
 
-/// The end of a run, the worst first.
+/// The outcome of a run, the worst first.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub enum Outcome {
     /// The robot fell after this time, s.
@@ -256,7 +256,7 @@ pub enum Outcome {
     Stopped(f64),
     /// It travelled forward at this speed, mm/s.
     Walked(f64),
-    /// It lifted the first object so high, mm.
+    /// It lifted the first object to this height, mm.
     Lifted(f64),
     /// It neither walks nor lifts.
     Ended,
@@ -270,7 +270,7 @@ impl Outcome {
 }
 
 impl Row {
-    /// Makes a row; the last cell, its check, is added.
+    /// Creates a row, and adds its last cell, the check.
     pub(crate) fn new(columns: &Arc<[Column]>, mut cells: Vec<Cell>, spec_hash: u64) -> Self {
         cells.push(Cell::Text(check(&cells, spec_hash)));
         Row {
@@ -279,8 +279,8 @@ impl Row {
         }
     }
 
-    /// Reads a line of a CSV file; `None` if it is not a row of the sweep with these columns and this specification, as it was
-    /// written.
+    /// Reads a line of a CSV file. Returns `None` if it is not an unchanged row of the sweep with these columns and
+    /// this specification.
     pub(crate) fn read(columns: &Arc<[Column]>, line: &str, spec_hash: u64) -> Option<Self> {
         let mut reader = csv::ReaderBuilder::new();
         let mut reader = reader.has_headers(false).from_reader(line.as_bytes());
@@ -368,7 +368,7 @@ impl Row {
         }
     }
 
-    /// Returns the end of the run with the figure by which runs are compared.
+    /// Returns the outcome of the run.
     pub fn outcome(&self) -> Outcome {
         let object = Measure::Object(0, ObjectMeasure::Highest);
         let number = |measure| self.number(measure);

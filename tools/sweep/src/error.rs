@@ -150,7 +150,7 @@ impl Texts {
         Texts::of(|lang| lines(lang).collect())
     }
 
-    /// Returns the errors of a file that nobody has written: each reason with its line.
+    /// Returns the errors of a file that the sweep has made: each reason with its line.
     pub(crate) fn reasons(loaded: &Loaded) -> Self {
         let text = loaded.source.text();
         let line = |place: usize| {
@@ -184,7 +184,7 @@ struct Parts {
     /// The nearest known name.
     near: Option<String>,
     axis: Option<String>,
-    /// The case whose values are not allowed, and these values.
+    /// The number of the case whose values are not allowed, and the values.
     case: Option<(u64, String)>,
 }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
-/// A column whose numbers are to be large or small.
+/// A column to maximize or minimize.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Goal {
@@ -193,7 +193,8 @@ impl Ranking {
     }
 }
 
-/// The best runs of a table: those to which no other is preferable in all goals. Of runs with equal numbers the first one counts.
+/// The best runs of a table (Pareto front): no other run is at least as good in all goals and better in one. If runs
+/// are equal, the first one counts.
 #[derive(Clone, Debug, Default)]
 pub struct Front {
     ranking: Ranking,

@@ -1,4 +1,4 @@
-//! Measurement of a run: which columns a sweep has, and the cells of a case.
+//! Measurement of a run: the columns of a sweep, and the cells of a case.
 
 use crate::columns::{Cell, Column, Measure, ObjectMeasure, Row};
 use crate::spec::{Spec, hash};
@@ -9,7 +9,7 @@ use tip_sim::{
     Energy, FallFigures, Grasp, Peak, Robot, Run, Summary, SummaryBuilder, TravelFigures,
 };
 
-/// The columns of a sweep, and what their cells depend on besides the run.
+/// The columns of a sweep, and the data that their cells need besides the run.
 #[derive(Clone, Debug)]
 pub(crate) struct Schema {
     pub(crate) columns: Arc<[Column]>,
@@ -109,7 +109,7 @@ fn has_forces(run: &Run) -> bool {
     run.limbs().is_some_and(|limbs| !limbs.forces.is_empty()) || run.grasp().is_some()
 }
 
-/// A run that has ended, as its row sees it.
+/// The data of a run that has ended, from which its row is made.
 struct Finished<'a> {
     schema: &'a Schema,
     run: &'a Run,
@@ -183,13 +183,13 @@ impl Finished<'_> {
             }
             // The letter keeps a reader of tables from taking 7588677e37186226 for a number.
             Measure::Hash => Cell::Text(format!("h{:016x}", figures.hash)),
-            // It depends on the other cells: the row adds it.
+            // It depends on the other cells, so the row adds it.
             Measure::Check => Cell::Text(String::new()),
         }
     }
 }
 
-/// Least size of a measured number, in mm, deg, s, N·m or J. What is smaller is an error of rounding.
+/// Smallest measured number, in mm, deg, s, N·m or J. Smaller ones are rounding errors.
 const MIN_MEASURED: f64 = 1e-9;
 
 /// Returns the cell of a measured number.

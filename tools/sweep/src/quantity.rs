@@ -1,4 +1,4 @@
-//! Quantities that a sweep varies: their names, and how a value reaches a run.
+//! Quantities that a sweep varies: their names, and the ways to apply a value to a run.
 
 use crate::columns::{Column, Meaning, Measure};
 use crate::error::{SweepError, Sweeping, Texts};
@@ -108,7 +108,7 @@ impl Quantity {
             .map(String::as_str)
             .chain(NAMES.iter().map(|(known, _)| *known))
             .chain(["friction"]);
-        // A key of a file that lacks the file's name.
+        // The name may be a key without the name of its file.
         if name == "floor.friction" {
             let near = SweepError::from(Sweeping::UnknownQuantity).near("friction".to_owned());
             return Err(SweepError::axis(name, near));
@@ -162,7 +162,7 @@ fn of_file(mut column: Column, key: Option<&Key>) -> Column {
 
 /// Returns the key at a path of a file with these tables.
 fn key(tables: &[Part], path: &[String]) -> Option<&'static Key> {
-    // The others are places in lists.
+    // Numbers are indices in lists, not keys.
     let is_key = |word: &&String| word.parse::<usize>().is_err();
     let mut keys = path.iter().rev().filter(is_key);
     let (key, table) = (keys.next()?, keys.next().map_or("", String::as_str));
@@ -176,7 +176,7 @@ fn key(tables: &[Part], path: &[String]) -> Option<&'static Key> {
 pub(crate) struct Override {
     /// Steps that assign a constant to it before any step reads it.
     pub(crate) steps: Vec<StepId>,
-    /// A path reads it before any step assigns it, so it has its value from the start.
+    /// True if a path reads the scalar before any step assigns it: then it gets the value at the start.
     pub(crate) at_start: bool,
 }
 
@@ -188,7 +188,7 @@ impl Override {
     pub(crate) fn of(program: &Program, scalar: usize) -> Result<Self, u32> {
         let flow = Flow::of(program);
         let returns: Vec<usize> = flow.calls().map(|call| call.back).collect();
-        // Each node as it is reached with the scalar unassigned, and assigned.
+        // For each node, true if it was reached with the scalar unassigned, and with it assigned.
         let mut seen = vec![[false; 2]; flow.nodes().len()];
         // A thread may come to its first use before or after an assignment of another one.
         let starts = flow.starts().iter();
@@ -249,7 +249,7 @@ impl Settings {
         Ok(Settings { table, parts })
     }
 
-    /// Sets the number at a path; elements of lists count from 1. A list that the file leaves out has its default.
+    /// Sets the number at a path; elements of lists count from 1. A list that is missing in the file gets its default.
     ///
     /// # Errors
     /// The path leads through a number or beyond a list's end.

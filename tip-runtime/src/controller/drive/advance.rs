@@ -1,4 +1,4 @@
-//! One sampling time of a leg: set points move on, and joint commands follow from them.
+//! The advance of a leg by one sampling time: set points move, and joint commands follow from them.
 //!
 //! A joint's spring: `τ = k (θ_d − θ)`. A point's spring: `F = K (x_d − x)`, axis by axis. Either is
 //! bounded by the compliance limit, if one is set. A force acts through the joints as `τ = Jᵀ F`, and
@@ -21,7 +21,7 @@ use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
 use crate::model::{Inverse, Joint, Leg};
 
-/// Values that all legs share while they move on.
+/// Values that all legs share in an advance.
 #[derive(Clone, Copy)]
 pub(in crate::controller) struct CycleParams {
     /// Inverse kinematics of the robot.
@@ -30,16 +30,16 @@ pub(in crate::controller) struct CycleParams {
     pub(in crate::controller) torque_unit: f64,
     /// The sampling time, s.
     pub(in crate::controller) dt: f64,
-    /// Reciprocal of the sampling time, 1/s; 0 of none.
+    /// Reciprocal of the sampling time, 1/s; 0 if the sampling time is 0.
     pub(in crate::controller) per_second: f64,
-    /// True if every motion brakes and waits.
+    /// True if a hold brakes every motion and makes it wait.
     pub(in crate::controller) held: bool,
 }
 
-/// The leg that moves on.
+/// The leg that is advanced.
 #[derive(Clone, Copy)]
 pub(in crate::controller) struct MovingLeg<'a, const J: usize> {
-    /// From 1.
+    /// Number of the leg, from 1.
     pub(in crate::controller) number: u8,
     pub(in crate::controller) model: &'a Leg<J>,
     pub(in crate::controller) params: &'a LegParams<J>,
@@ -48,7 +48,7 @@ pub(in crate::controller) struct MovingLeg<'a, const J: usize> {
 }
 
 impl<const J: usize> LegDrive<J> {
-    /// Moves on by one sampling time. At the border of what the leg can do it stops there.
+    /// Advances the leg by one sampling time. It stops where it can go no farther.
     ///
     /// # Errors
     /// The fault that stopped it: the path to a target is out of reach, or a joint is at its limit.
@@ -206,8 +206,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Returns the angles that put a point where its set point is, or where it jumped. A closed form solves a foot that
-    /// stays where it is only once.
+    /// Returns the angles that put a point at its set point, to which it may have jumped. A closed form is solved only
+    /// once for a foot that stays in place.
     fn solve(
         &mut self,
         point: LegPoint,
@@ -305,15 +305,14 @@ fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
 }
 
-/// At how many places of its way to the line a foot is tried out.
+/// Number of places on the way of a foot to its line at which its reach is checked.
 const PLACES: u8 = 8;
 
-/// Distance from its target at which a point has nowhere to go, mm.
+/// Distance from its target within which a point has arrived, mm.
 const THERE: f64 = 1e-6;
 
 impl<const J: usize> LegDrive<J> {
-    /// Returns the rates (deg/s) at which the joints turn, if they have to come to rest before
-    /// `point` can set off as `track` does.
+    /// Returns the commanded rates of the joints (deg/s), if they have to come to rest before `point` can follow `track`.
     pub(in crate::controller) fn brakes_first(
         &self,
         point: LegPoint,
@@ -334,7 +333,7 @@ impl<const J: usize> LegDrive<J> {
         }
         let reaches = |at| reach(inverse, leg, (point, 0), &self.angles, at).is_ok();
         let goes = if has_choice::<J>(inverse, point) {
-            // It may have to wait for its postures.
+            // The point may have to wait until postures are found.
             reaches(track.rest_point(limits))
         } else {
             let shares = (1..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
@@ -361,8 +360,8 @@ impl<const J: usize> LegDrive<J> {
         angles
     }
 
-    /// Lets the joints that move `point` brake for one sampling time; the point goes where they lead it, and sets
-    /// off once they are at rest.
+    /// Brakes the joints that move `point` for one sampling time. The point goes where they lead it, and sets off when
+    /// they are at rest.
     pub(super) fn brake(
         &mut self,
         point: LegPoint,

@@ -15,8 +15,7 @@ pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     }
 }
 
-/// Returns the joint angles that put a point of leg `n` at `position`, as near to the angles `from`
-/// as they are.
+/// Returns the joint angles nearest to `from` (deg) that put a point of leg `n` at `position`, mm.
 ///
 /// # Errors
 /// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
@@ -62,10 +61,9 @@ fn refused<const J: usize>(
     }
 }
 
-/// Returns the joint angles that put a point of leg `n` where its set point is. A point with too
-/// few joints before it for every direction goes along the line or surface that it has: as near to
-/// a set point on its path as it comes, and all the way to the target. Joints to spare turn towards
-/// `posture`. A closed form leaves out no postures between two cycles.
+/// Returns the joint angles (deg) that put a point of leg `n` at its set point. A point with too few joints for every
+/// direction moves along its line or surface: as near to a set point on its path as possible, and all the way to the
+/// target. Redundant joints turn towards `posture`. A closed form skips no postures between two cycles.
 ///
 /// # Errors
 /// The errors of [`reach`].
@@ -114,8 +112,8 @@ pub(super) fn leap<const J: usize>(
     })
 }
 
-/// Returns the place nearest to `position` (mm) that a point with too few joints can come to;
-/// `position` itself for any other point.
+/// Returns the place nearest to `position` (mm) that a point with too few joints can reach; `position` itself for any
+/// other point.
 pub(in crate::controller) fn nearest_place<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,

@@ -22,15 +22,15 @@ use crate::model::{Axes, Inverse, Leg};
 /// The rule that redundant joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::controller) enum Redundancy<const J: usize> {
-    /// Nobody: there are none, or no postures lead to the target.
+    /// No rule: there are no redundant joints, or no postures lead to the target.
     None,
-    /// Every joint for itself, braking from these rates, deg/s, before the point sets off.
+    /// Every joint brakes by itself from these rates, deg/s, before the point sets off.
     Brakes([f64; J]),
-    /// Postures that are yet to be found.
+    /// The search for postures is not finished.
     Sought(Search<J>),
-    /// The leg bends, and follows its line then.
+    /// The leg bends before it follows its line.
     Bends(Bend<J>),
-    /// Postures that lead to the target.
+    /// Redundant joints follow postures that lead to the target.
     Found(PosturePath<J>),
 }
 
@@ -53,8 +53,8 @@ impl<const J: usize> Redundancy<J> {
         Redundancy::Sought(Search::new(&point, *from, line, home))
     }
 
-    /// Goes on with a search for postures, for a leg at the angles `from`. If its point moves, and would
-    /// swing too far to the side of its line, the leg brakes first.
+    /// Continues a search for postures, for a leg at the angles `from`. If its point moves and would swing too far to
+    /// the side of its line, the leg brakes first.
     #[inline]
     pub(super) fn look(
         &mut self,
@@ -93,7 +93,7 @@ impl<const J: usize> Redundancy<J> {
         matches!(self, Redundancy::None)
     }
 
-    /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    /// Advances by `dt` seconds, with `line` left for the point. Under a hold it waits.
     #[inline]
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         match self {
@@ -128,11 +128,11 @@ pub(super) fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> b
     !inverse.is_closed() && !has_few_joints::<J>(inverse, point)
 }
 
-/// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
-/// many pieces as lines mostly have, so that most legs set off immediately.
+/// Maximum number of pieces of a line that are tried in one cycle: enough for the nearest posture and for the pieces of
+/// most lines, so that most legs set off immediately.
 const A_CYCLE: usize = 48;
 
-/// Number of pieces that take as many turns as a posture that is started from anywhere.
+/// Number of pieces that cost as many iterations as the solution for a new start posture.
 const START: usize = 6;
 
 /// Number of postures to start from for a leg that goes past the middle of its limits, or has bent.
@@ -151,7 +151,7 @@ pub(in crate::controller) struct Search<const J: usize> {
     attempt: Attempt,
     /// True if the leg was straight when the search began.
     is_straight: bool,
-    /// The number of the next posture to start from: 0 of the present one.
+    /// The number of the next start posture; 0 is the present one.
     next: usize,
     stage: Stage<J>,
 }
@@ -170,20 +170,20 @@ enum Attempt {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Stage<const J: usize> {
-    /// Another posture is to be started from.
+    /// Another start posture is solved next.
     Starting,
-    /// A posture at the target is drawn nearer, and was so often before.
+    /// A posture at the target is drawn nearer to the present one; the number counts how often that was done.
     Drawing([f64; J], u8),
-    /// Postures are tried out.
+    /// Postures are tried along the line.
     Trying(Trial<J>),
     /// The leg is bent to the other side.
     Bending(Bending<J>),
-    /// None is left.
+    /// No start posture is left.
     Exhausted,
 }
 
 impl<const J: usize> Stage<J> {
-    /// Returns the number of pieces that its next step is worth.
+    /// Returns the cost of its next step, in pieces.
     const fn pieces(&self) -> usize {
         match self {
             Stage::Starting => START,
@@ -196,9 +196,9 @@ impl<const J: usize> Stage<J> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Outcome<const J: usize> {
     Found(PosturePath<J>),
-    /// Once the leg has bent.
+    /// Postures that lead to the target, once the leg has bent.
     Bends(Bend<J>),
-    /// No postures are known that lead there.
+    /// No postures lead to the target.
     Nothing,
 }
 
@@ -226,8 +226,8 @@ impl<const J: usize> Search<J> {
         }
     }
 
-    /// Goes on for one cycle, anew if the point is not at `place` any more.
-    // Out of line: most cycles search for nothing.
+    /// Continues for one cycle. It starts again if the point is not at `place` any more.
+    // Out of line, since most cycles have no search.
     #[inline(never)]
     fn advance(
         &mut self,
@@ -248,7 +248,7 @@ impl<const J: usize> Search<J> {
         None
     }
 
-    /// Solves the leg once, in as many turns as its stage is worth.
+    /// Executes one step of the search.
     fn step(&mut self, point: &PointOfLeg<'_, J>) -> Option<Outcome<J>> {
         self.stage = match self.stage {
             Stage::Starting => self.start(point),
@@ -328,7 +328,7 @@ impl<const J: usize> Search<J> {
     }
 }
 
-/// Postures straight to the initial one.
+/// Returns the postures from `from` straight to the initial one.
 fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> PosturePath<J> {
     PosturePath::between(from, home, line).eased()
 }
@@ -336,16 +336,16 @@ fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> Postu
 /// Shortest time of the return to the initial angles, s.
 const RETURN: f64 = 0.8;
 
-/// Limits of the pace, which speeds up in the first half of that time and slows down in the second.
+/// Limits of the speed of the return, which accelerates in the first half of that time and brakes in the second.
 const PACE: Limits = Limits {
     speed: 2.0 / RETURN,
     acceleration: 4.0 / (RETURN * RETURN),
 };
 
-/// The share of the way to the posture past which it goes that a bowed leg takes halfway.
+/// The share of the way to the intermediate posture that a leg on a bowed path goes halfway.
 const MOST_BOW: f64 = 0.75;
 
-/// A straight line of a point: from where to where, in mm.
+/// A straight line of a point: its start and its end, mm.
 type Line = ([f64; 3], [f64; 3]);
 
 /// Postures between two ends.
@@ -355,16 +355,16 @@ pub(in crate::controller) struct PosturePath<const J: usize> {
     to: [f64; J],
     /// Distance of the point from its target at the start, mm.
     length: f64,
-    /// Rest of the path to the posture, where time decides as well.
+    /// The set point of the remaining share of the path, if its speed is limited.
     ease: Option<SetPoint<1>>,
-    /// The posture to be taken once the point is at its target, if it is not `to`.
+    /// The posture to take after the point has reached its target, if it is not `to`.
     home: Option<[f64; J]>,
-    /// The posture past which the leg goes halfway, if it does not go straight.
+    /// The intermediate posture of a bowed path, which the leg passes halfway.
     bow: Option<[f64; J]>,
 }
 
 impl<const J: usize> PosturePath<J> {
-    /// Postures for a point on `line`, in step with it.
+    /// Creates the postures between `from` and `to`, for a point on `line`.
     fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
         PosturePath {
             from,
@@ -388,7 +388,7 @@ impl<const J: usize> PosturePath<J> {
         }
     }
 
-    /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    /// Advances by `dt` seconds, with `line` left for the point. Under a hold it waits.
     fn advance(&mut self, line: Line, dt: f64, held: bool) {
         if let Some(ease) = &mut self.ease {
             ease.advance(PACE, dt, held);
@@ -428,19 +428,19 @@ impl<const J: usize> PosturePath<J> {
     }
 }
 
-/// Pieces of a line are no longer than this share of it.
+/// Maximum length of a piece, as a share of its line.
 const MAX_PIECE: f64 = 1.0 / 32.0;
 
-/// Nor shorter than this.
+/// Minimum length of a piece, as a share of its line.
 const SHORTEST: f64 = 1.0 / 16384.0;
 
-/// The most pieces that are tried.
+/// Maximum number of pieces that are tried.
 const PIECES: u16 = 400;
 
-/// Turn of a joint beyond which a piece has left out what is between, deg.
+/// Turn of a joint above which a piece has skipped postures, deg.
 const LEAP: f64 = 6.0;
 
-/// A point of a leg that is to be put somewhere, and the axes that count.
+/// A point of a leg to be placed, and the axes that count.
 #[derive(Clone, Copy)]
 pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) leg: &'a Leg<J>,
@@ -448,7 +448,7 @@ pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) axes: Axes,
 }
 
-/// A trial of the postures that lead a point along a line, as far as it has come.
+/// A trial of postures along a line, as far as it has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Trial<const J: usize> {
     guide: PosturePath<J>,
@@ -461,7 +461,7 @@ struct Trial<const J: usize> {
 /// Result of one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum TrialResult<const J: usize> {
-    /// The line has to be tried farther.
+    /// The trial goes on.
     SoFar(Trial<J>),
     /// The postures lead to the target.
     Leads(PosturePath<J>),
@@ -480,7 +480,7 @@ impl<const J: usize> Trial<J> {
         }
     }
 
-    /// Tries one piece, and half of it next if the point does not get over it without a leap.
+    /// Tries one piece. If a joint turns too far in it, half of it is tried next.
     fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> TrialResult<J> {
         let next = (self.gone + self.piece).min(1.0);
         let posture = self.guide.with_left(1.0 - next);
@@ -510,7 +510,7 @@ impl<const J: usize> Trial<J> {
     }
 }
 
-/// Returns the place with a share `gone` of a line left behind.
+/// Returns the place at a share `gone` of a line.
 fn on_line((place, target): Line, gone: f64) -> [f64; 3] {
     let mut at = target;
     for (at, place) in at.iter_mut().zip(place) {
@@ -525,7 +525,7 @@ const BEND_RATE: f64 = 30.0;
 /// Turn of the joints in one step of the search for a bend, deg.
 const BEND_STEP: f64 = 0.5;
 
-/// The most steps of that search.
+/// Maximum number of steps of that search.
 const BEND_STEPS: u8 = 60;
 
 /// Largest turn for which a leg is nearly straight, deg.
@@ -540,7 +540,7 @@ const BEND_TIME: f64 = 3.0;
 /// Distance from the posture at which joints have taken it, deg.
 const TAKEN: f64 = 0.2;
 
-/// A leg that bends, and what it does then.
+/// A leg that bends, and the postures that follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::controller) struct Bend<const J: usize> {
     aim: [f64; J],
@@ -550,12 +550,12 @@ pub(in crate::controller) struct Bend<const J: usize> {
     line: Line,
     /// Turn of the joints in this cycle, deg.
     step: f64,
-    /// Time that the leg may still take, s.
+    /// Remaining time for the bend, s.
     left: f64,
 }
 
 impl<const J: usize> Bend<J> {
-    /// Moves on by `dt` seconds; what is held waits.
+    /// Advances by `dt` seconds. Under a hold it waits.
     fn advance(&mut self, dt: f64, held: bool) {
         let dt = if held { 0.0 } else { dt };
         self.step = BEND_RATE * dt;

@@ -223,7 +223,7 @@ pub(super) fn rise_over_blocks(extent: &Cuboid, frame: &MovingFrame, terrain: &T
         let [_, _, _, _, tops @ ..] = block.corners();
         tops
     });
-    // From deep below a top straight up to it: what is left of that where the body begins.
+    // A segment from deep below a top straight up to it, cut where it enters the body.
     let ups = tops.filter_map(|top| {
         let below = Vector::new(top.x, top.y, top.z - CLIMB);
         let [from, _] = extent.inside([below, top].map(|end| inverse * (end - frame.position)))?;

@@ -1,5 +1,6 @@
-//! Contacts of a robot with mass: the law of a point in an obstacle, and what becomes of a foot. Along the normal a
-//! spring and a damper, across it a bristle that bends until it slides (Cundall and Strack, *Géotechnique* 29, 1979).
+//! Contacts of a robot with mass: the law of a point in an obstacle, and the contact of a foot. Along the normal there
+//! are a spring and a damper, across it a bristle that bends until it slides (Cundall and Strack, *Géotechnique* 29,
+//! 1979).
 
 use super::Vector;
 use crate::plant::ContactLaw;
@@ -199,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_bristle_holds_until_friction_lets_go() {
-        // 1 mm deep: 100 N, of which friction holds 50 N: 0.5 mm of the bristle.
+        // A depth of 1 mm gives 100 N. Friction holds 50 N of them, which bend the bristle by 0.5 mm.
         let slow = Vector::new(0.01, 0.0, 0.0);
         let mut bristle = Bristle::FREE;
         let forces: [f64; 2] = [100, 1000].map(|steps| {

@@ -257,7 +257,7 @@ impl<const J: usize> ContactModel<[FingerContacts<J>]> {
     /// before.
     fn advance(&mut self) {
         let time = self.period.min(MAX_CYCLE) / 1000.0;
-        // Whole multiples of the longest step are not split for a rounding error.
+        // The subtrahend keeps a rounding error from adding a step to a whole multiple of the longest one.
         let steps = libm::ceil(time / self.step - 1e-9);
         let dt = time / steps;
         self.drift(dt / 2.0, dt);

@@ -26,7 +26,7 @@ pub(super) trait GroundInterface {
     /// Returns the positions of the feet in the robot's frame, to be written before
     /// [`settle`](Self::settle).
     fn feet(&mut self) -> &mut [Vector];
-    /// Lets the body come to rest on its contacts within `dt` s, and keeps stance feet in place.
+    /// Moves the body towards its rest on its contacts for `dt` s, and keeps stance feet in place.
     fn settle(&mut self, mass: Mass, dt: f64);
     /// Returns true if the body is on its way down, without hold.
     fn has_lost_hold(&self) -> bool;

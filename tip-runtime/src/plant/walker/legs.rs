@@ -127,7 +127,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         let mut moved = false;
         for _ in 0..steps as u32 {
             let turned = self.drive(commands, dt, ground);
-            // What lies still on unmoved legs stays as it is, to the bit.
+            // A body at rest on legs that have not moved keeps its pose, to the bit.
             if turned || !ground.is_at_rest() {
                 self.settle(ground, dt);
                 moved = true;

@@ -209,7 +209,7 @@ mod tests {
         let one = [9.0, 0.0, 0.0, 9.0, 9.0, 0.0];
         let other = [0.0, 9.0, 9.0, 0.0, 0.0, 9.0];
         let is_at = |at: [f64; 2], y: f64| at[0].abs() < 1e-9 && (at[1] - y).abs() < 1e-9;
-        // The same feet, some of them, and none of them.
+        // The load stays on the same feet, moves to some of them, and to none of them.
         for after in [one, [9.0, 0.0, 9.0, 9.0, 0.0, 0.0], other] {
             let at = moved(one, after);
             assert!(is_at(at, 4.0), "{after:?}: {at:?}");

@@ -1,12 +1,12 @@
-//! The data flow over basic blocks: nodes that a run passes from the first to the last.
+//! The data flow over basic blocks. A run that enters a block passes its nodes from the first to the last.
 
 use crate::analysis::access;
 use crate::analysis::flow::{Flow, NodeId};
 use crate::program::Program;
 use std::collections::BTreeSet;
 
-/// Scalars by their assignment where runs come, 64 of them. A scalar in neither set is one that no run has there: a read
-/// without a value ended those runs.
+/// The states of 64 scalars at a location, as two sets. A scalar is in neither set if a read without a value has ended
+/// every run before it gets there.
 #[derive(Clone, Copy, Default, PartialEq)]
 struct Word {
     /// The scalars that may be unassigned.
@@ -36,7 +36,7 @@ impl Word {
     }
 }
 
-/// The scalars that are judged, by their assignment where runs come.
+/// The states of all judged scalars at a location.
 #[derive(Clone, PartialEq)]
 pub(super) struct State(Vec<Word>);
 
@@ -56,7 +56,8 @@ impl State {
         self.0[place / 64].assigned >> (place % 64) & 1 != 0
     }
 
-    /// Goes on behind a read or an assignment of the scalar at a place.
+    /// Applies a read or an assignment of the scalar at a place. Behind a read, only runs in which it is assigned go
+    /// on.
     pub(super) fn pass(&mut self, place: usize, assigns: bool) {
         let word = &mut self.0[place / 64];
         let bit = 1 << (place % 64);
@@ -66,14 +67,14 @@ impl State {
         word.unassigned &= !bit;
     }
 
-    /// Returns the state after a part of the program, given the state after that part with every scalar unassigned
-    /// before it.
+    /// Returns the state after a part of the program that begins in this state. `after` is its state if the part begins
+    /// with every scalar unassigned.
     fn then(&self, after: &State) -> State {
         let words = self.0.iter().zip(&after.0);
         State(words.map(|(word, after)| word.then(*after)).collect())
     }
 
-    /// Adds the runs of another state; returns true if that changes this one.
+    /// Adds the runs of another state. Returns true if that changes this one.
     fn join(&mut self, other: &State) -> bool {
         let mut changes = false;
         for (word, other) in self.0.iter_mut().zip(&other.0) {
@@ -172,7 +173,7 @@ impl Places {
         self.of_scalar[scalar]
     }
 
-    /// Takes the places from `limit` on away, and returns the number of scalars that have lost theirs.
+    /// Removes the places from `limit` on, and returns the number of scalars that lose theirs.
     pub(super) fn keep(&mut self, limit: usize) -> usize {
         let lost = self.count.saturating_sub(limit);
         self.count -= lost;
@@ -186,14 +187,14 @@ impl Places {
 /// The index of a block. Blocks come in the order of their nodes.
 pub(super) type BlockId = usize;
 
-/// Ways out of the last node of a block.
+/// The successors of the last node of a block.
 #[derive(Clone, Debug)]
 struct Block {
     /// Blocks that may follow without a call or return.
     next: Vec<BlockId>,
-    /// The block of a subroutine that it may call, and the one where that comes back.
+    /// The first block of the subroutine that it may call, and the block to which that returns.
     call: Option<(BlockId, BlockId)>,
-    /// It ends with RETURN or SUBEND.
+    /// True if it ends with RETURN or SUBEND.
     returns: bool,
 }
 
@@ -279,18 +280,19 @@ fn beginnings(flow: &Flow) -> Vec<bool> {
     begins
 }
 
-/// The scalars at some places, in the blocks of a flow.
+/// The data flow of the scalars that have places.
 pub(super) struct Analysis<'a> {
     blocks: &'a Blocks,
     scalars: usize,
-    /// The state behind each block, with every scalar unassigned before it.
+    /// The state after each block that begins with every scalar unassigned.
     effects: Vec<State>,
-    /// The same behind the paths from each block to the return of the call that it is in; `None` without such a path.
+    /// For each block, the state at the return of the subroutine that it is in, with every scalar unassigned before the
+    /// block; `None` if no path leads from it to a return.
     summaries: Vec<Option<State>>,
 }
 
 impl<'a> Analysis<'a> {
-    /// Follows the accesses of scalars that have places.
+    /// Analyses the accesses of the scalars that have places.
     pub(super) fn new(blocks: &'a Blocks, accesses: &[Access], places: &Places) -> Self {
         let mut effects = vec![State::unassigned(places.count); blocks.count()];
         for access in accesses {
@@ -323,7 +325,8 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Returns the paths from the end of a block to the return of the call that it is in.
+    /// Returns the state at the return of the subroutine that a block is in, with every scalar unassigned at the end of
+    /// the block; `None` if no path leads there.
     fn behind(&self, block: &Block) -> Option<State> {
         let mut paths = block.returns.then(|| State::unassigned(self.scalars));
         for next in &block.next {
@@ -339,14 +342,14 @@ impl<'a> Analysis<'a> {
         paths
     }
 
-    /// Returns the paths through the subroutine at a node, with every scalar unassigned before it; `None` if none comes
-    /// back.
+    /// Returns the state after a call of the subroutine at a node, with every scalar unassigned before the call; `None`
+    /// if it never returns.
     pub(super) fn call(&self, entry: NodeId) -> Option<&State> {
         self.summaries[self.blocks.of_node(entry)].as_ref()
     }
 
-    /// Returns for each block how runs come to it that begin at these nodes, with the scalars at these places assigned;
-    /// `None` if no run comes to it.
+    /// Returns the state before each block, for runs that begin at these nodes with the scalars at these places
+    /// assigned; `None` for a block that no run reaches.
     pub(super) fn states(&self, starts: &[NodeId], given: &[usize]) -> Vec<Option<State>> {
         let mut states: Vec<Option<State>> = vec![None; self.blocks.count()];
         let mut work = BTreeSet::new();

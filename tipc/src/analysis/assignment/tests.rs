@@ -25,7 +25,7 @@ fn gaps_of(statements: &str) -> Vec<Gap> {
 /// Returns step, kind and path of the only gap.
 fn only_gap(statements: &str) -> (u32, Assigned, Vec<u32>) {
     match gaps_of(statements).as_slice() {
-        [gap] => (gap.step, gap.assigned, gap.way.clone()),
+        [gap] => (gap.step, gap.assigned, gap.path.clone()),
         others => panic!("{others:#?}"),
     }
 }
@@ -99,7 +99,7 @@ fn calls_come_back_where_they_were_made() {
 
 // clauses: 2.15 3.4
 #[test]
-fn recursion_ends_where_some_way_returns() {
+fn recursion_ends_where_some_path_returns() {
     let endless = "DEF_VAR A\nGOSUB L1:\nMESSAGE %A%\nA = 1\nEXIT\nL1: GOSUB L1:\nRETURN\nEND";
     assert_eq!(gaps_of(endless), [], "the call never comes back");
     let bounded =
@@ -175,14 +175,14 @@ fn judgement_is_what_every_run_finds() {
 
 // clauses: 3.4
 #[test]
-fn each_way_is_a_run_without_the_value() {
+fn each_path_is_a_run_without_the_value() {
     let mut walked = 0;
     for seed in 0..300 {
         let text = random_program(seed);
         let program = program(&text);
         for gap in gaps(&program, &Assignment::of(&program)) {
-            let (last, before) = gap.way.split_last().expect("a way");
-            assert_eq!((gap.way[0], *last), (0, gap.step), "{text}");
+            let (last, before) = gap.path.split_last().expect("a path");
+            assert_eq!((gap.path[0], *last), (0, gap.step), "{text}");
             for step in before {
                 let action = &program.steps()[*step as usize].action;
                 let assigned = access::assigns(&program, action);
@@ -191,7 +191,7 @@ fn each_way_is_a_run_without_the_value() {
             walked += 1;
         }
     }
-    assert!(walked > 300, "{walked} ways");
+    assert!(walked > 300, "{walked} paths");
 }
 
 /// Returns a program of that many steps: nested blocks, calls, a hundred variables assigned at the end only.
@@ -224,7 +224,7 @@ fn a_long_program_is_judged() {
     assert_eq!(read, 1_000);
 }
 
-/// Returns the reads of a program of 3.2, as they are proved and as ways find them.
+/// Returns the reads of a program of 3.2, as they are proved and as paths find them.
 fn threads_of(statements: &str) -> (Assignment, Assignment) {
     let program = program(&format!("3.2\ntest\n{statements}\n"));
     (Assignment::of(&program), Paths::of(&program).assignment)
@@ -239,12 +239,12 @@ fn assigned(reads: &Assignment, step: u32) -> Vec<Assigned> {
 #[test]
 fn what_another_thread_assigns_counts_and_proves_nothing() {
     let text = "DEF_VAR A B\nSTART_THREAD T:\nSLEEP A\nB = 1\nEXIT\nTHREAD T:\nA = 1\nSLEEP B\nSLEEP A\nTHREADEND\nEND";
-    let (proved, ways) = threads_of(text);
+    let (proved, on_paths) = threads_of(text);
     // The main program may read A before the thread has assigned it.
     assert_eq!(assigned(&proved, 1), [Assigned::Never]);
-    assert_eq!(assigned(&ways, 1), [Assigned::Always]);
+    assert_eq!(assigned(&on_paths, 1), [Assigned::Always]);
     assert_eq!(assigned(&proved, 6), [Assigned::Never]);
-    assert_eq!(assigned(&ways, 6), [Assigned::Always]);
+    assert_eq!(assigned(&on_paths, 6), [Assigned::Always]);
     // A thread's own assignments are a proof.
     assert_eq!(assigned(&proved, 7), [Assigned::Always]);
 }
@@ -253,9 +253,9 @@ fn what_another_thread_assigns_counts_and_proves_nothing() {
 #[test]
 fn a_part_that_threads_share_has_a_value_only_if_each_brings_it() {
     let text = "DEF_VAR A\nSTART_THREAD T:\nA = 1\nGOSUB SHOW:\nEXIT\nSHOW:\nSLEEP A\nRETURN\nEXIT\nTHREAD T:\nGOSUB SHOW:\nTHREADEND\nEND";
-    let (proved, ways) = threads_of(text);
+    let (proved, on_paths) = threads_of(text);
     assert_eq!(assigned(&proved, 5), [Assigned::Sometimes]);
-    assert_eq!(assigned(&ways, 5), [Assigned::Always]);
+    assert_eq!(assigned(&on_paths, 5), [Assigned::Always]);
 }
 
 // clauses: 13.3

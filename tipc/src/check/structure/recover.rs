@@ -1,7 +1,8 @@
-//! Openers and closers that do not fit: which of them is the mistake, and what was meant.
+//! Reports of openers and closers that do not fit, with a guess at what was meant.
 //!
-//! One that is missing is reported once: what would close it may still come and is owed, and an unknown statement may be
-//! it. Most guesses are at what another language writes: END for each block, NEXT for a WHILE.
+//! A missing closer is reported once. If it comes later, after a word that closed an outer block, it is expected and
+//! not a second mistake; and an unknown statement may be a misspelt closer. Most guesses are about words of other
+//! languages: END for each block, NEXT for a WHILE.
 
 use super::{BlockKind, Matcher, Open};
 use crate::code::Code;
@@ -13,29 +14,30 @@ use crate::source::{Source, Span};
 use crate::suggest::nearest;
 use crate::syntax::{Operand, OperandKind, Shape, StatementKind};
 
-/// Longest distance at which the end of a block, and the block that an end names, is searched.
+/// Maximum number of statements among which the closer of a block is searched, and of blocks among which the one that a
+/// closer names is searched.
 const MAX_BLOCK_DISTANCE: usize = 1_000;
 
-/// The closers of one kind that may still come.
+/// The closers of one kind that are expected although their construct is reported.
 #[derive(Default)]
 pub(super) struct AllOwed {
     all: Vec<Owed>,
-    /// Number of them that may have other branches.
+    /// Number of them whose ELSEIF and ELSE are expected as well.
     branches: usize,
 }
 
-/// A closer that may still come of a construct that is reported already: it is not a second mistake.
+/// A closer that may still come for a construct that is reported already. It is not a second mistake.
 struct Owed {
     /// The diagnostic of the construct, if it was cut off.
     fault: Option<Handle>,
-    /// True if other branches may come as well.
+    /// True if ELSEIF and ELSE are expected as well.
     branches: bool,
 }
 
 impl Matcher<'_> {
     /// Reports a word of a block that no open construct takes, unless it is part of a mistake that is reported.
     pub(super) fn nothing_open(&mut self, index: usize, kind: BlockKind, name: Keyword) {
-        // A word that was to be this one is reported.
+        // The word itself may be broken, which is reported.
         let is_reported = self.is_reported(index);
         let before = self.open.last().map_or(0, |open| open.unknown);
         if self.settle_owed(index, kind, name) || is_reported {
@@ -51,7 +53,7 @@ impl Matcher<'_> {
         let reason = Structuring::NothingOpen { opener, word: name };
         let help = match (name == closer, kind) {
             (false, _) => {
-                // The rest of it is no second mistake.
+                // The rest of the IF is no second mistake.
                 self.owes(kind, None, name == Keyword::ElseIf);
                 Structuring::IfFirst { word: name }
             }
@@ -68,7 +70,7 @@ impl Matcher<'_> {
         self.found.push(self.title.opens(opener, fault));
     }
 
-    /// Reads an IF whose statement should be a block; so its ENDIF may be there.
+    /// Reads an IF with a statement on its line, as in other languages. An ENDIF may follow, which is expected.
     pub(super) fn one_line_if(&mut self, index: usize) {
         self.result.around[index] = self.current();
         self.owes(BlockKind::If, None, true);
@@ -90,8 +92,8 @@ impl Matcher<'_> {
         }
     }
 
-    /// Takes the last unknown statement after the first `before` of them that may be the word of a block: a closer
-    /// is alone in its statement, and neither is near to a command.
+    /// Removes unknown statements, the last one first, up to one that may be an opener or closer of a block, and
+    /// returns that. The first `before` ones stay. A closer is alone in its statement; neither is near to a command.
     pub(super) fn takes_unknown(&mut self, before: usize, is_closer: bool) -> Option<usize> {
         while self.unknown.len() > before {
             let index = self.unknown.pop()?;
@@ -128,7 +130,8 @@ impl Matcher<'_> {
         }
     }
 
-    /// Returns true if a construct that was cut off waits for this word. It closes only that.
+    /// Returns true if this word is expected for a construct that is reported already. A closer is then no longer
+    /// expected.
     pub(super) fn settle_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
         let owed = &mut self.owed[kind as usize];
         if name != kind.closer() {
@@ -140,7 +143,7 @@ impl Matcher<'_> {
         owed.branches -= usize::from(last.branches);
         let text = Structuring::StandsHere { word: name }.into();
         let span = self.location(index);
-        // Of too many diagnostics it is omitted.
+        // The diagnostic is missing if there are too many.
         if let Some(fault) = last.fault.and_then(|fault| self.found.get_mut(fault)) {
             fault.labels.push(Label { span, text });
         }
@@ -163,7 +166,8 @@ impl Matcher<'_> {
             self.result.closed_by.insert(word, open.block);
             return self.owes(open.kind, None, true);
         }
-        // `DO` … `WHILE A < 3` ends what an unknown word before it began, unless another one has ended that.
+        // `DO` … `WHILE A < 3`: the WHILE ends a loop that an unknown word began, if the number of unknown words before
+        // it is odd: each two of them are an opener and its closer.
         let outer = self.open.last().map_or(0, |outer| outer.unknown);
         let is_begun = (self.unknown.len() - outer.min(self.unknown.len())) % 2 == 1;
         if open.kind == BlockKind::While && is_begun && self.takes_unknown(outer, true).is_some() {
@@ -201,7 +205,8 @@ impl Matcher<'_> {
         }
     }
 
-    /// `REPEAT` … `WHILE A < 3`: reports a WHILE that nothing closes as the end of the REPEAT around it.
+    /// Reports a WHILE that nothing closes as the end of the REPEAT around it, as in `REPEAT` … `WHILE A < 3`. Returns
+    /// false if there is no such REPEAT.
     pub(super) fn closes_repeat(&mut self, index: usize) -> bool {
         let Some(repeat) = self.open.last().filter(|it| it.kind == BlockKind::Repeat) else {
             return false;
@@ -221,7 +226,7 @@ impl Matcher<'_> {
         true
     }
 
-    /// Returns the RETURN that was to close a SUBROUTINE.
+    /// Returns the location of a RETURN that was probably meant to close a SUBROUTINE.
     pub(super) fn return_in(&self, open: &Open) -> Option<Span> {
         if open.kind != BlockKind::Subroutine {
             return None;
@@ -238,7 +243,8 @@ impl Matcher<'_> {
         matches!(statement.kind, StatementKind::Broken(_))
     }
 
-    /// `FOR I`, `FOR J`, `NEXT I`: the outer FOR, whose variable NEXT names, if the inner one never gets its own NEXT.
+    /// Returns the outer FOR whose variable NEXT names, if the inner one has no NEXT of its own: `FOR I`, `FOR J`,
+    /// `NEXT I`.
     pub(super) fn named_by_next(&self, index: usize) -> Option<usize> {
         let name = self.named(index)?;
         let fors = self.open.within(BlockKind::For);
@@ -246,7 +252,7 @@ impl Matcher<'_> {
         let mut near = near.iter().rev();
         let location = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
         let is_innermost = location == 0;
-        // With enough others for those around it, it names the wrong variable.
+        // If enough NEXTs follow for the FORs around, this one names the wrong variable.
         let is_outer = !is_innermost && self.later(index, BlockKind::For) < fors.len() - 1;
         is_outer.then(|| fors[fors.len() - 1 - location])
     }
@@ -282,7 +288,7 @@ impl Matcher<'_> {
         else {
             return;
         };
-        // The variable of another type, or that is not declared, is refused for itself.
+        // A variable that is not declared or of another type is reported elsewhere.
         let (Some(name), Some(of)) = (name_of(named), name_of(&counting.variable)) else {
             return;
         };
@@ -305,8 +311,9 @@ impl Matcher<'_> {
         self.found.push(fault);
     }
 
-    /// `WHILE … NEXT`: the end of another block, where the innermost one never gets its own. `other_open` says whether
-    /// a block that it could close is open around that one.
+    /// Closes the innermost block by the closer of another kind, as in `WHILE … NEXT`, and reports it, if the block has
+    /// no closer of its own. `other_open` is true if a block that the closer fits is open around it. Returns true if it
+    /// closed the block.
     pub(super) fn closes_other(
         &mut self,
         index: usize,
@@ -344,7 +351,7 @@ impl Matcher<'_> {
         true
     }
 
-    /// Returns the number of ends of blocks of this kind that are open now and come after a statement.
+    /// Returns the number of closers after a statement that belong to open blocks of this kind.
     pub(super) fn later(&self, index: usize, kind: BlockKind) -> usize {
         let (mut inside, mut later) = (0, 0);
         for statement in self.module.statements[index + 1..]
@@ -364,8 +371,8 @@ impl Matcher<'_> {
         later
     }
 
-    /// Reports an END inside a block, with statements and another END after it, that was to end the block or to stop
-    /// the run.
+    /// Reports an END inside a block that was probably meant to end the block or to stop the run, since the closer or
+    /// another END follows it.
     pub(super) fn ended_too_early(&mut self, source: &Source) -> Option<()> {
         let innermost = self.open.last()?;
         let last = self.module.statements.last()?;
@@ -399,7 +406,7 @@ impl Matcher<'_> {
         Some(())
     }
 
-    /// `END IF` ends the program, and whatever is open with it.
+    /// Reports a closer in two words, such as `END IF`: its END ends the program, and so all open blocks.
     pub(super) fn ended_in_two_words(&mut self) -> Option<()> {
         let second = self.module.after_end.as_ref()?;
         let innermost = self.open.last()?;

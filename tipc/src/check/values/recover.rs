@@ -1,4 +1,4 @@
-//! Values of commands that are too few, too many, or none: what was meant.
+//! Helps for values of commands that are missing, too many or no numbers.
 
 use super::flag_name;
 use crate::check::equations::type_of;
@@ -17,7 +17,7 @@ use crate::syntax::{Operand, VariableKind, Word};
 use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, Target};
 
 impl Resolver<'_> {
-    /// Helps with a word that is reported where a number belongs, if what follows it would be reported for the same
+    /// Adds a help to a word that is reported in place of a number, if the words after it are wrong for the same
     /// reason: a second target, or a flag without a blank, as `R50`.
     pub(super) fn explain_word(
         &mut self,
@@ -43,7 +43,8 @@ impl Resolver<'_> {
         true
     }
 
-    /// `PTP F1 R 0 0` with a variable R: where it stands, and the variable.
+    /// Returns location and variable of an operand that is read as a flag, although a variable has that name: `PTP F1 R
+    /// 0 0`.
     pub(super) fn used_as_flag(
         &self,
         form: Arguments,
@@ -78,7 +79,7 @@ impl Resolver<'_> {
         };
         let mut fault = Diagnostic::new(Code::Argument, location, reason);
         if let Some((used, variable)) = used_as_flag {
-            // That the word is a flag there explains the missing number.
+            // The number is missing because the word is read as a flag.
             self.flags.insert(variable, used);
             let name = self.names.variables[variable].name.as_str().into();
             fault = fault.label(used, Suggestion::FlagHere);
@@ -88,7 +89,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Returns the foreign spelling that an argument too many is, if it is one.
+    /// Returns the help for an argument too many that another language explains.
     pub(super) fn extra_word(&self, name: &Word, operand: &Operand) -> Option<Suggestion> {
         match word(operand) {
             Some(FAST) => Some(Suggestion::FastFirst {
@@ -105,7 +106,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// `PTP F1 100,5 200 300`: the digits after the only comma, if blanks separate the other arguments.
+    /// Returns the digits after the only comma, if blanks separate the other arguments: `PTP F1 100,5 200 300`.
     pub(super) fn decimal_comma(&self, name: &Word) -> Option<(Span, Suggestion)> {
         let rest = self.rest_of_statement(name.span);
         let (before, after) = rest
@@ -119,7 +120,7 @@ impl Resolver<'_> {
         Some((location, self.comma_in_number(location)?))
     }
 
-    /// `1,000` or `4,5`: digits right after a comma that digits precede.
+    /// Returns the help for a comma right between digits, as in `1,000` or `4,5`.
     pub(super) fn comma_in_number(&self, location: Span) -> Option<Suggestion> {
         let text = self.source_before(location)?.strip_suffix(',')?;
         let digits = |c: char| c.is_ascii_digit();
@@ -143,14 +144,14 @@ impl Resolver<'_> {
             return self.refuse_with(Code::Argument, location, too_many(), advice);
         }
         let reason = match name.node.as_str() {
-            // Version 2 had one.
+            // In version 2, WAIT_NEAR had this argument.
             name if name == Op::WaitNear.name() => Commanding::ToleranceElsewhere,
             _ => too_many(),
         };
         self.refuse(Code::Argument, operand.span, reason)
     }
 
-    /// `SPEED F1 100`: helps with a target that is reported where a number belongs.
+    /// Adds a help to a target that is reported in place of a number: `SPEED F1 100`.
     pub(super) fn explain_target(&mut self, name: &Word, judged: &[Operand], fault: Refused) {
         let is_target =
             |operand: &Operand| word(operand).is_some_and(|it| it.parse::<Target>().is_ok());
@@ -167,7 +168,7 @@ fn takes_target(command: &str) -> bool {
     matches!(form, Some(Form::Robot(form)) if form.targets != Targets::NONE)
 }
 
-/// `R50`, where `R 50` was meant.
+/// Returns the help for a flag without the blank after it, such as `R50`.
 fn glued_flag(form: Arguments, word: &str) -> Option<Suggestion> {
     let flag = [RELATIVE, ABSOLUTE].into_iter().find(|flag| {
         let number = word.strip_prefix(*flag).unwrap_or_default();

@@ -13,7 +13,7 @@ const OPEN: &str = "{";
 const CLOSE: &str = "}";
 
 impl Parser<'_> {
-    /// Takes the brace or colon that opens a block off the end of a statement: the words before it count.
+    /// Removes the brace or colon that opens a block from the end of a statement, so that the words before it are read.
     pub(in crate::parse) fn take_brace(
         &self,
         keyword: Option<Keyword>,
@@ -28,7 +28,7 @@ impl Parser<'_> {
         opens.then(|| tokens.pop())?
     }
 
-    /// Returns true for a colon after a condition or THEN; one after the label of a jump is none of these.
+    /// Returns true for a colon after a condition or THEN, but not after the label of a jump.
     pub(in crate::parse) fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
         let ends_condition = || match tokens {
             [.., before, last, _] => {
@@ -44,8 +44,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports what opened the block of a statement unless its words are reported, which `before` tells. Nothing else
-    /// is wrong with such a statement, or with the end of its block.
+    /// Reports the brace or colon that opened the block of a statement, unless a fault of the statement is reported
+    /// since `before`. Such a statement, and the end of its block, are not reported again.
     pub(in crate::parse) fn opened_block(
         &mut self,
         location: Span,
@@ -56,9 +56,9 @@ impl Parser<'_> {
         let word = self.source.slice(location);
         let (reason, help) = match opening.kind {
             Kind::Colon => (Suggestion::NoColon, Suggestion::WriteThen),
-            // That closes and opens a block, which is reported: `} ELSE {`.
+            // `} ELSE {` closes and opens a block; its first brace is reported.
             _ if word == CLOSE => return kind,
-            // All of the statement is unknown: `SWITCH (A) {`.
+            // The whole statement is unknown: `SWITCH (A) {`.
             _ if !self.is_command(word) => {
                 self.braces.push(!self.diagnostics.since(before).is_empty());
                 return kind;
@@ -91,7 +91,7 @@ impl Parser<'_> {
                 let next = next.and_then(|next| keywords::find(next, self.module.edition));
                 let begins_block = match (self.braces.pop(), next) {
                     (Some(begins_block), _) => begins_block,
-                    // The block that ends here began without a brace.
+                    // The block that this brace ends began without one.
                     (None, Some(Keyword::Else)) => {
                         let reason = Commanding::NoCommand { word: CLOSE.into() };
                         self.report_unknown(word, CLOSE, reason, Suggestion::Braces);
@@ -118,7 +118,7 @@ impl Parser<'_> {
         Some(StatementKind::Broken(shape))
     }
 
-    /// `{` on a line of its own, after the line of its IF or without any.
+    /// Reads `{` on a line of its own. It belongs to the statement before it, if that opens a block.
     pub(in crate::parse) fn lone_brace(&mut self, word: Span) -> Shape {
         let before = self.module.statements.last().map(|it| &it.kind);
         let opens = |kind: &StatementKind| {
@@ -128,7 +128,7 @@ impl Parser<'_> {
             )
         };
         self.braces.push(before.is_some_and(opens));
-        // Its IF lacks THEN, which is reported.
+        // A broken statement before it is reported already: an IF without THEN.
         if !matches!(before, Some(StatementKind::Broken(_))) {
             let reason = Commanding::NoCommand { word: OPEN.into() };
             self.report_unknown(word, OPEN, reason, Suggestion::Braces);
@@ -136,7 +136,7 @@ impl Parser<'_> {
         Shape::Plain
     }
 
-    /// `FOR (I = 0; I < 3; I++)`: all of the line.
+    /// Reads and reports a line with a FOR of C: `FOR (I = 0; I < 3; I++)`.
     pub(in crate::parse) fn for_of_c(&mut self, span: Span) -> Flow {
         let statement = self.source.slice(span);
         let open = statement.find('(').unwrap_or_default();
@@ -151,7 +151,7 @@ impl Parser<'_> {
         Flow::NextLine
     }
 
-    /// Returns true if the line of a FOR is that of C.
+    /// Returns true if a FOR has the form of C.
     pub(in crate::parse) fn is_for_of_c(&self, word: Span, span: Span) -> bool {
         let rest = self.source.slice(Span::new(word.end, span.end));
         let line = self.source.slice(Span::new(span.end, self.line.span.end));

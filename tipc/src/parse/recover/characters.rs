@@ -1,4 +1,4 @@
-//! Characters that no statement may hold: full-width and typographic ones, and what was meant by them.
+//! Diagnostics of characters that no statement may hold, such as full-width and typographic ones.
 
 use super::comment::{comment_after, comment_mark, ends_in_mark, is_comment};
 use super::operand::{is_range, is_unit};
@@ -13,7 +13,7 @@ use crate::syntax::{StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
 impl Parser<'_> {
-    /// Characters that only comments and texts may hold.
+    /// Reports characters that only comments and texts may hold.
     pub(in crate::parse) fn report_foreign(&mut self, location: Span) {
         let text = self.source.slice(location);
         let reason = match text.chars().next() {
@@ -74,7 +74,7 @@ impl Parser<'_> {
         (wide > 1 && statement.len() <= MAX_SHOWN_BYTES && narrow.is_ascii()).then_some(narrow)
     }
 
-    /// `30°`, `100ミリ`: whether a location is a unit right after a number.
+    /// Returns true if a location holds a unit right after a number: `30°`, `100ミリ`.
     pub(in crate::parse) fn is_unit(&self, location: Span) -> bool {
         let before = &self.text[self.line.span.start..location.start];
         before.ends_with(is_digit) && is_unit(self.source.slice(location))
@@ -99,7 +99,7 @@ impl Parser<'_> {
     pub(in crate::parse) fn is_in_foreign_comment(&self, location: Span) -> bool {
         let line = self.line.span;
         let before = self.source.slice(Span::new(line.start, location.start));
-        // Of a line that is too long it does not matter.
+        // A line that is too long is not searched.
         let is_after = || before.len() <= LINE_LIMIT && comment_after(before).is_some();
         is_comment(self.source.slice(line).trim()) || is_after()
     }
@@ -116,8 +116,8 @@ impl Parser<'_> {
         }
     }
 
-    /// `L1：L2：PTP …`: reads labels with full-width colons, and returns the first word of the statement after them, and
-    /// that statement; `None` if there is none.
+    /// Reads labels with full-width colons, as in `L1：L2：PTP …`. Returns the first word of the statement after them,
+    /// and that statement; `None` if there is none.
     pub(in crate::parse) fn behind_wide_labels(
         &mut self,
         mut word: Span,
@@ -129,7 +129,7 @@ impl Parser<'_> {
         Some((word, span))
     }
 
-    /// `L1：`, `Ｌ１：`: where the name of a label ends that a full-width colon follows.
+    /// Returns the name of a label with a full-width colon, as in `L1：` or `Ｌ１：`.
     pub(in crate::parse) fn ends_with_wide_colon(&self, word: Span) -> Option<Span> {
         let text = self.source.slice(word);
         let name = &text[..text.find(COLON)?];
@@ -201,7 +201,7 @@ pub(in crate::parse) fn is_sign(char: char) -> bool {
     half || plain(char).is_some_and(|it| it != ",")
 }
 
-/// Returns true if a character has no width, so that nobody sees it.
+/// Returns true if a character has no width, so that it is invisible.
 fn is_invisible(char: char) -> bool {
     matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }
@@ -223,7 +223,7 @@ fn half_width(text: &str) -> Option<String> {
     text.chars().map(narrow_char).collect()
 }
 
-/// Returns true if a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
+/// Returns true if a text is probably a remark in Japanese and not a name: it has hiragana, which joins words.
 fn is_sentence(text: &str) -> bool {
     let is_hiragana = |char: char| matches!(char, '\u{3041}'..='\u{3096}');
     text.chars().any(is_hiragana)

@@ -12,7 +12,7 @@ const MARKS: &[&str] = &[
     "#", "'", "/*", "*/", "--", "%", "(*", "\"\"\"", "\\\\", "・・", "／／", "※", "＃", "’",
 ];
 
-/// Marks that begin a comment after a statement, too.
+/// The marks that also begin a comment after a statement.
 const AFTER: &[&str] = &["#", "'", "／／", "※", "＃", "’"];
 
 /// Openers and closers of comments of several lines.
@@ -26,7 +26,7 @@ pub fn is_comment(statement: &str) -> bool {
     MARKS.iter().any(|mark| statement.starts_with(mark)) || is_banged(statement)
 }
 
-/// `! text`, but not `!KB_HIT`.
+/// Returns true for a comment such as `! text`, but not for `!KB_HIT`.
 fn is_banged(statement: &str) -> bool {
     let mut words = statement.strip_prefix(BANG).unwrap_or_default().split(' ');
     let first = upper_case(words.next().unwrap_or_default());
@@ -64,10 +64,10 @@ impl Parser<'_> {
         true
     }
 
-    /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
+    /// Reports a comment of another language, which takes the rest of the line: `# …`, `' …`, `/* … */`.
     pub(in crate::parse) fn foreign_comment(&mut self, span: Span) {
         let text = self.source.slice(span);
-        // A `;` and a `//` are part of it, too.
+        // It includes each `;` and `//` of the line.
         let line = self.source.slice(Span::new(span.start, self.line.span.end));
         let mut marks = OF_LINES.iter();
         self.in_comment = marks

@@ -13,7 +13,7 @@ impl Reader<'_> {
         self.fault_with_help(self.here(), Parsing::ConditionMissing, Parsing::Conditions)
     }
 
-    /// `! FLAG`, `!(A == 1)`, `!` alone.
+    /// Returns the fault of a `!` that no flag follows directly: `! FLAG`, `!(A == 1)`, `!` alone.
     pub(in crate::parse) fn negates_no_flag(&self, not: Token, next: Option<Token>) -> Fault {
         let reason = Parsing::NotStandsBeforeFlag;
         match next {
@@ -28,7 +28,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `> =`, `== =`, `><`: the fault of a relation that goes on with another sign.
+    /// Returns the fault of a relation that another sign follows: `> =`, `== =`, `><`.
     pub(in crate::parse) fn relation_in_pieces(
         &self,
         relation: Relation,
@@ -52,7 +52,7 @@ impl Reader<'_> {
         })
     }
 
-    /// `1 < A < 3`, `A == B + 1`
+    /// Returns the fault of a token after a comparison: `1 < A < 3`, `A == B + 1`.
     pub(in crate::parse) fn behind_comparison(&self, token: Token) -> Fault {
         let reason = Parsing::CannotStandHere {
             text: self.slice(token.span).into(),
@@ -65,7 +65,7 @@ impl Reader<'_> {
         self.fault_with_help(token.span, reason, help)
     }
 
-    /// `WHILE 1`, `IF -A THEN`
+    /// Returns the fault of an operand without a relation: `WHILE 1`, `IF -A THEN`.
     pub(in crate::parse) fn compared_with_nothing(&self, operand: &Operand) -> Fault {
         let help: Message = match operand.kind {
             OperandKind::Number(_) => Suggestion::Forever.into(),
@@ -74,14 +74,14 @@ impl Reader<'_> {
         self.fault_with_help(operand.span, Parsing::ComparedWithNothing, help)
     }
 
-    /// `ABS A > 3`
+    /// Returns true if a condition begins with a call of a function: `ABS A > 3`.
     pub(in crate::parse) fn calls_function(&self, left: &Operand) -> bool {
         let is_function = |word: &str| functions::words().any(|it| it.eq_ignore_ascii_case(word));
         let is_word = self.peek().is_some_and(|next| next.kind == Kind::Word);
         is_word && is_function(self.slice(left.span))
     }
 
-    /// `> =`, `< >`: the second sign, and what both are in one piece.
+    /// Returns the second sign of a relation in two pieces such as `> =`, and the whole relation.
     pub(in crate::parse) fn split_relation(&self, first: Relation) -> Option<(Token, Relation)> {
         let next = self.peek().filter(|next| next.spaced)?;
         let whole = match (first, next.kind) {
@@ -168,7 +168,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `IF (A == 1)`: the statement without the parentheses around its whole condition.
+    /// Returns the help for parentheses around the whole condition, as in `IF (A == 1)`.
     pub(in crate::parse) fn condition_in_parentheses(&self) -> Option<Message> {
         let whole = self.slice(self.whole());
         let (keyword, rest) = whole.split_once('(')?;
@@ -192,7 +192,7 @@ impl Reader<'_> {
         let closer = match keyword {
             Keyword::If if rest.is_empty() => Keyword::EndIf,
             Keyword::While if rest.is_empty() => Keyword::Wend,
-            // `IF (A == 1) MESSAGE one`: the statement has a line of its own.
+            // `IF (A == 1) MESSAGE one`: the statement needs a line of its own.
             Keyword::If if !jumps(rest) => Keyword::EndIf,
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
                 let written = upper_case(format!("{word} {condition} {rest}").trim());

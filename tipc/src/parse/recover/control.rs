@@ -15,7 +15,8 @@ use smol_str::SmolStr;
 use tip_runtime::command::Flag;
 
 impl Reader<'_> {
-    /// `IF A == 1 THEN GOTO L1:`, `IF A == 1 THEN SLEEP 100`: a jump is read as if THEN were not there.
+    /// Reads a statement after THEN, as in `IF A == 1 THEN SLEEP 100`. A jump, as in `IF A == 1 THEN GOTO L1:`, is read
+    /// as if THEN were missing.
     pub(in crate::parse) fn statement_after_then(&mut self) -> Parsed<(Then, Parsed<()>)> {
         let location = self.rest();
         for word in [Keyword::Goto, Keyword::Gosub] {
@@ -38,7 +39,7 @@ impl Reader<'_> {
         Err(self.fault_with_help(location, Suggestion::OneLineIf, help))
     }
 
-    /// `IF A == 1 GOTO L1: ELSE …`, `IF A == 1 GOTO L1: THEN`
+    /// Returns the fault of ELSE or THEN after the jump of an IF: `IF A == 1 GOTO L1: ELSE …`.
     pub(in crate::parse) fn behind_jump(&self, jump: Keyword) -> Option<Fault> {
         if self.at_word(Keyword::Else) {
             let end = End::Label;
@@ -61,7 +62,7 @@ impl Reader<'_> {
         })
     }
 
-    /// `ELSEIF A == 1`
+    /// Returns the fault of an ELSEIF without THEN: `ELSEIF A == 1`.
     pub(in crate::parse) fn missing_then_of_else_if(&self) -> Fault {
         self.joined().unwrap_or_else(|| {
             self.fault_with_help(self.here(), Parsing::ThenBelongsHere, Suggestion::ElseIf)
@@ -69,14 +70,15 @@ impl Reader<'_> {
         })
     }
 
-    /// `WHILE INPOS ALL`, `UNTIL SLEEP 100`
+    /// Returns the fault of a flag in two words or a command in place of a condition: `WHILE INPOS ALL`, `UNTIL SLEEP
+    /// 100`.
     pub(in crate::parse) fn half_a_flag(&self) -> Option<Fault> {
         let advice = self.flag_or_command()?;
         let end = End::Condition;
         Some(self.fault_with_help(self.rest(), Parsing::NothingBehind { end }, advice))
     }
 
-    /// `FOR I = 1, 3`, `FOR I = 1 TO3`
+    /// Returns the fault of a FOR without TO: `FOR I = 1, 3`, `FOR I = 1 TO3`.
     pub(in crate::parse) fn missing_to(&self) -> Fault {
         let help: Message = match self.peek().and_then(|to| self.glued_to(to.span)) {
             Some(text) => Suggestion::Write { text }.into(),
@@ -85,7 +87,7 @@ impl Reader<'_> {
         self.fault_with_help(self.here(), Parsing::ToBelongsHere, help)
     }
 
-    /// `FOR I = 1 TO N - 1`
+    /// Returns the fault of tokens after a FOR: `FOR I = 1 TO N - 1`.
     pub(in crate::parse) fn behind_for(&self) -> Fault {
         let calculates = |token: Token| matches!(token.kind, Kind::Arithmetic(_));
         let help: Message = match self.peek().is_some_and(calculates) {
@@ -95,7 +97,7 @@ impl Reader<'_> {
         self.fault_with_help(self.rest(), Parsing::ForEnds, help)
     }
 
-    /// `NEXT I J`, `NEXT I = I + 1`: what to write in place of what follows.
+    /// Returns the help for tokens after a NEXT: `NEXT I J`, `NEXT I = I + 1`.
     pub(in crate::parse) fn next_help(&self, keyword: Span) -> Suggestion {
         match (self.peek().map(|next| next.kind), self.before()) {
             (Some(Kind::Word) | None, _) | (_, None) => Suggestion::NextEach,
@@ -105,7 +107,8 @@ impl Reader<'_> {
         }
     }
 
-    /// `SUBROUTINE WALK`, `SUBROUTINE WALK()`: what calls it is not wrong.
+    /// Returns the name of a SUBROUTINE without its colon, and the fault: `SUBROUTINE WALK`, `SUBROUTINE WALK()`. The
+    /// name is declared, so that calls of it are not reported.
     pub(in crate::parse) fn routine_without_colon(
         &self,
         word: Keyword,
@@ -124,13 +127,13 @@ impl Reader<'_> {
         (Word { node, ..name }, Err(fault))
     }
 
-    /// `GOTO *L1`
+    /// Returns the fault of a label that is marked as in another language: `GOTO *L1`.
     pub(in crate::parse) fn marked_label_of_jump(&self) -> Option<Fault> {
         let (location, name) = marked(self.text, self.left_tokens())?;
         Some(self.foreign_label(location, name))
     }
 
-    /// `GOTO MAIN-LOOP:`
+    /// Returns the fault of a label with blanks or a `-`: `GOTO MAIN-LOOP:`.
     pub(in crate::parse) fn label_in_pieces_of_jump(&self, first: Span) -> Option<Fault> {
         let location = self.spread_label(first)?;
         let name = joined(&upper_case(self.slice(location)));
@@ -146,7 +149,8 @@ impl Reader<'_> {
             .help(Parsing::WriteLabel { name })
     }
 
-    /// `GOTO L1`, `GOTO L1 :`, `GOTO 100`, `CALL WALK(3)`: the label, if it can be one, and the fault of its colon.
+    /// Returns a label that no colon follows directly, with the fault; only the fault if the word is no label: `GOTO
+    /// L1`, `GOTO L1 :`, `GOTO 100`, `CALL WALK(3)`.
     pub(in crate::parse) fn label_without_colon(
         &self,
         word: Word,
@@ -175,7 +179,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `THEN 100`, `THEN L1:`: a jump of BASIC.
+    /// Returns true for a jump of BASIC: `THEN 100`, `THEN L1:`.
     pub(in crate::parse) fn goes_to_line(&self) -> bool {
         let is_line = |token: &Token| self.slice(token.span).bytes().all(|it| it.is_ascii_digit());
         match self.left_tokens() {
@@ -220,7 +224,7 @@ impl Reader<'_> {
             .of(Broken::Then)
     }
 
-    /// `GOTOL1:` after a condition: the jump with its blank.
+    /// Returns the jump with its blank, for a word such as `GOTOL1:` after a condition.
     pub(in crate::parse) fn glued_jump(&self) -> Option<SmolStr> {
         let [word, colon] = self.left_tokens() else {
             return None;
@@ -235,7 +239,7 @@ impl Reader<'_> {
         (colon.kind == Kind::Colon).then(|| format!("{jump} {label}:").into())
     }
 
-    /// `INPOS F1` for `INPOS_F1`, or a command in the place of a condition.
+    /// Returns the help for a flag in two words, such as `INPOS F1`, or for a command in place of a condition.
     pub(in crate::parse) fn flag_or_command(&self) -> Option<Suggestion> {
         let before = self
             .before()
@@ -256,7 +260,7 @@ impl Reader<'_> {
         })
     }
 
-    /// `TO3`: the word and what follows it, with the blank between them.
+    /// Returns `TO 3` for `TO3`.
     pub(in crate::parse) fn glued_to(&self, location: Span) -> Option<SmolStr> {
         let word = upper_case(self.slice(location));
         let rest = word.strip_prefix(Keyword::To.word())?;
@@ -308,7 +312,7 @@ pub(in crate::parse) fn bare(name: &str) -> SmolStr {
     }
 }
 
-/// `GOTOL1`: a jump and its label without the blank between them.
+/// Splits a jump and its label without the blank between them: `GOTOL1`.
 pub fn glued(word: &str) -> Option<(Keyword, &str)> {
     let jumps = [Keyword::Goto, Keyword::Gosub, Keyword::Call];
     let parts = |jump: Keyword| Some((jump, word.strip_prefix(jump.word())?));
@@ -345,7 +349,7 @@ pub(in crate::parse) fn spread(text: &str, first: Span, rest: &[Token]) -> Optio
 /// The marks of labels in other languages that are part of a word.
 const MARKS: [char; 4] = ['@', '$', '&', '.'];
 
-/// `*L1`, `@L1`, labels of other languages: where one stands, and its name here.
+/// Returns location and name of a label as another language marks it: `*L1`, `@L1`.
 pub(in crate::parse) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
     let tokens = match tokens {
         [rest @ .., colon] if colon.kind == Kind::Colon => rest,
@@ -366,7 +370,7 @@ pub(in crate::parse) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, Sm
 }
 
 impl Parser<'_> {
-    /// Reads a SUBROUTINE whose line is reported: what calls it is not wrong.
+    /// Reads a SUBROUTINE whose line is reported. Its name is declared, so that calls of it are not reported.
     pub(in crate::parse) fn broken_subroutine(
         &self,
         word: Span,

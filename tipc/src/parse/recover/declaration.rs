@@ -1,4 +1,4 @@
-//! Names and signs in declarations that are none of the language.
+//! Diagnostics of names and signs in declarations that the language lacks.
 
 use super::characters::narrow;
 use crate::code::Code;
@@ -10,7 +10,7 @@ use crate::source::Span;
 use crate::syntax::{Arithmetic, VariableKind, upper_case};
 
 impl Parser<'_> {
-    /// `DEF_VAR A = 1`: reports the first token that is no name.
+    /// Reports the first token of a declaration that is no name: `DEF_VAR A = 1`.
     pub(in crate::parse) fn report_odd_token(&mut self, kind: VariableKind, tokens: &[Token]) {
         let Some(at) = tokens.iter().position(|it| it.kind != Kind::Word) else {
             return;
@@ -87,7 +87,7 @@ impl Parser<'_> {
 /// The commas of full-width text.
 const COMMAS: [char; 2] = ['，', '、'];
 
-/// The most names with a `-` whose uses are not reported again.
+/// Maximum number of names with a `-` whose uses are not reported again.
 const HYPHENED: usize = 8;
 
 /// Returns the names with a `-`: `STEP-LENGTH`.

@@ -1,4 +1,4 @@
-//! Right sides of equations that are none.
+//! Diagnostics of right sides of equations that the language lacks.
 
 use super::operand::{is_unit, no_function};
 use crate::code::Code;
@@ -12,7 +12,7 @@ use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 
 impl Reader<'_> {
-    /// `A = B 2`, `A = MAX B C`, `A = B ^ 2`: the fault of what follows the first operand.
+    /// Returns the fault of a token after the first operand: `A = B 2`, `A = MAX B C`, `A = B ^ 2`.
     pub(in crate::parse) fn behind_operand(&self, left: &Operand, token: Token) -> Fault {
         unknown_function(self, left, token).unwrap_or_else(|| {
             let help = suggest(self, left, token);
@@ -20,7 +20,7 @@ impl Reader<'_> {
         })
     }
 
-    /// `A = B ** 2`, after the first `*`
+    /// Returns the fault of a second `*` after the first one: `A = B ** 2`.
     pub(in crate::parse) fn power(&self) -> Option<Fault> {
         let second = self.peek()?;
         (second.kind == Kind::Arithmetic(Arithmetic::Mul)).then(|| {
@@ -29,7 +29,7 @@ impl Reader<'_> {
         })
     }
 
-    /// `A = B + C + D`, `A = B + 5 mm`
+    /// Returns the fault of tokens after an operation: `A = B + C + D`, `A = B + 5 mm`.
     pub(in crate::parse) fn behind_operation(&self) -> Fault {
         let ends_in_unit = self.left() == 1 && is_unit(self.slice(self.here()));
         let help: Message = match ends_in_unit {
@@ -40,7 +40,8 @@ impl Reader<'_> {
     }
 }
 
-/// `MAX A B`, `ARCTAN A`: a word before an operand, that is known or near to a function.
+/// Returns the fault of a word before an operand that other languages have as a function or that is near to one: `MAX A
+/// B`, `ARCTAN A`.
 fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<Fault> {
     let word = upper_case(reader.slice(left.span));
     let is_name = matches!(left.kind, OperandKind::Name(_)) && next.kind == Kind::Word;
@@ -99,7 +100,7 @@ fn is_number(word: &str) -> bool {
     word.starts_with(|c: char| c.is_ascii_digit() || c == '-')
 }
 
-/// Adds a help to a fault among the operands of a function: what looks like a sign there was to be a second operation.
+/// Adds a help to a fault among the operands of a function: a sign there was meant as a second operation.
 pub(in crate::parse) fn in_function(fault: Fault) -> Fault {
     let fault = match fault.broken {
         Broken::Sign => {

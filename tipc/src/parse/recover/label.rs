@@ -1,4 +1,4 @@
-//! Colons that end no label: after words of the language, before the name, after full-width names.
+//! Diagnostics of colons that end no label: after words of the language, before the name, after full-width names.
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -37,7 +37,7 @@ impl Parser<'_> {
         Some(flow)
     }
 
-    /// `Ｌ１:`, `:`
+    /// Reads a colon without a name, or after a full-width one: `:`, `Ｌ１:`.
     pub(in crate::parse) fn odd_name(&mut self, word: Span, span: Span) -> Option<Flow> {
         if word.start == word.end {
             return Some(self.nameless(span));

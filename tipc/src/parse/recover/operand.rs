@@ -1,4 +1,4 @@
-//! Operands that are none: signs, numbers and names of other languages.
+//! Diagnostics of operands in other languages: signs, numbers and names.
 
 use super::comment::is_comment;
 use crate::diagnostic::MistakeId;
@@ -18,7 +18,7 @@ use tip_runtime::command::Reading;
 use tip_runtime::function::Function;
 
 impl Reader<'_> {
-    /// `SLEEP = 100`, `A = * 2`
+    /// Returns the fault of an operator in place of an operand: `SLEEP = 100`, `A = * 2`.
     pub(in crate::parse) fn no_operand(&self, token: Token) -> Fault {
         let reason = Parsing::NoOperand {
             text: self.slice(token.span).into(),
@@ -34,7 +34,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `- 5`, `--5`, `N =+ 5`: a sign before something else than an operand.
+    /// Returns the fault of a sign that no operand follows directly: `- 5`, `--5`, `N =+ 5`.
     pub(in crate::parse) fn sign_alone(&self, location: Span, next: Option<Token>) -> Fault {
         let reason = Parsing::SignStandsBefore;
         match next {
@@ -55,7 +55,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `0x1F`, `2O1`, `100ms`
+    /// Returns the fault of a word that begins as a number: `0x1F`, `2O1`, `100ms`.
     pub(in crate::parse) fn no_number(&self, word: &str, location: Span) -> Fault {
         let reason = Parsing::NoNumber { word: word.into() };
         self.fault(location, reason)
@@ -63,8 +63,8 @@ impl Reader<'_> {
             .help(suggest_for_number(word))
     }
 
-    /// Adds a help to the fault of an operator among the arguments of a command: it calculates nothing, or was to
-    /// begin a comment.
+    /// Adds a help to the fault of an operator among the arguments of a command: arguments are not calculated, or the
+    /// operator begins a comment of another language.
     pub(in crate::parse) fn with_argument_help(&self, fault: Fault, token: Token) -> Fault {
         let calculates = matches!(token.kind, Kind::Arithmetic(_)) && !self.is_equation();
         let rest = self.slice(self.rest());
@@ -89,14 +89,14 @@ impl Reader<'_> {
         }
     }
 
-    /// `AD_IN VR1 = V`
+    /// Returns the help for a statement that needs no `=`: `AD_IN VR1 = V`.
     pub(in crate::parse) fn without_equals(&self) -> Suggestion {
         let parts: Vec<&str> = self.slice(self.whole()).split('=').map(str::trim).collect();
         let written = parts.join(" ").into();
         Suggestion::WithoutEquals { written }
     }
 
-    /// `WALK(3)`, `P[1]`, `A$`: a name with a character that no name has.
+    /// Returns the fault of a name with a character that no name has: `WALK(3)`, `P[1]`, `A$`.
     pub(in crate::parse) fn foreign_in_name(&self, word: &str, location: Span) -> Fault {
         let character = self.slice(location).into();
         let reason = Parsing::ForeignInName { character };
@@ -127,7 +127,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `N =+ 5`, where `N += 5` was meant.
+    /// Returns the fault of `N =+ 5`, where `N += 5` was meant.
     pub(in crate::parse) fn turned_update(&self, sign: Span, operand: Span) -> Option<Fault> {
         let equals = self.before()?;
         let is_glued = equals.kind == Kind::Assign(None) && equals.span.end == sign.start;
@@ -141,7 +141,7 @@ impl Reader<'_> {
         is_glued.then(|| self.fault_with_help(both, reason, Suggestion::Write { text }))
     }
 
-    /// `--391`
+    /// Returns the fault of two signs: `--391`.
     pub(in crate::parse) fn two_signs(&self, first: Span, second: Span) -> Fault {
         let both = first.to(second);
         let third = self.left_tokens().get(2);
@@ -208,7 +208,8 @@ fn suggest_for_number(word: &str) -> Message {
     }
 }
 
-/// `2O1`, `l0`, `1_000`: the number, if letters were typed that look like digits, or groups are set apart.
+/// Returns the number that a word was meant to be: `2O1` and `l0` have letters that look like digits, `1_000` separates
+/// groups.
 fn misread(word: &str) -> Option<SmolStr> {
     let digit = |c: char| match c {
         'O' | 'o' => Some('0'),
@@ -237,7 +238,7 @@ impl<M: Into<Message>> From<M> for ForeignName {
     }
 }
 
-/// Tells what a word with characters that no name has was to be.
+/// Recognises a word with characters that no name has.
 fn foreign_name(word: &str) -> ForeignName {
     let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     if word.strip_prefix(['(', '[']).is_some_and(is_number) || word.starts_with('{') {
@@ -286,7 +287,7 @@ fn foreign_name(word: &str) -> ForeignName {
             Some((_, command)) => return Suggestion::CommandFirst { command }.into(),
             None => {}
         }
-        // `MAX(A, B)`; what stands alone in parentheses is rather the number of an array.
+        // `MAX(A, B)` is a function; a single operand in parentheses is probably the index of an array.
         let is_index = inside.len() > 1 && inside.ends_with([')', ']']);
         return match is_index {
             true => Suggestion::NoArray { name }.into(),

@@ -1,4 +1,4 @@
-//! The role of a broken statement among the blocks, and statements that stand in the place of others.
+//! The role of a broken statement among the blocks, and diagnostics of statements of other languages.
 
 use super::characters::is_sign;
 use super::comment::is_comment;
@@ -38,8 +38,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Returns the role of a statement that needs not be read: its characters are reported, it holds a name that is
-    /// reported, or it goes on with an IF that is.
+    /// Returns the role of a statement that is not read because it is part of a reported mistake: its characters, one
+    /// of its names, or the IF before it.
     pub(in crate::parse) fn broken_statement(
         &self,
         keyword: Option<Keyword>,
@@ -81,15 +81,15 @@ impl Parser<'_> {
             });
         }
         match lone {
-            // It was to close another block.
+            // The word was meant to close another block.
             StatementKind::Wend if !reported => StatementKind::Broken(Shape::Wend),
-            // What closes it may stand on its line.
+            // Its closer may be on the same line.
             StatementKind::Repeat => StatementKind::Broken(Shape::Repeat),
             lone => lone,
         }
     }
 
-    /// `NEXT I, J` was to close both.
+    /// Adds a NEXT for each name of `NEXT I, J`, which closes both loops.
     pub(in crate::parse) fn push_each_next(&mut self, tokens: &[Token], span: Span) {
         let mut start = span.start;
         for name in &tokens[1..] {
@@ -99,8 +99,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Returns true if a first word is none of the language, as far as it is plain, and such a character follows it. A
-    /// wide sign may be that of an equation.
+    /// Returns true if the part of the first word before a foreign character is no word of the language. Returns false
+    /// for a foreign sign, which may be that of an equation.
     pub(in crate::parse) fn is_unknown(&self, word: Span, foreign: Span) -> bool {
         let first = self.source.slice(foreign).chars().next();
         if first.is_some_and(is_sign) {
@@ -133,7 +133,7 @@ impl Parser<'_> {
         before.is_some_and(|it| it.kind == StatementKind::Broken(Shape::If))
     }
 
-    /// `WHILE !KB_HIT WEND`: a block on one line.
+    /// Returns true for a block on one line: `WHILE !KB_HIT WEND`.
     pub(in crate::parse) fn closes_itself(&self, kind: &StatementKind, tokens: &[Token]) -> bool {
         let closer = match kind.shape() {
             Shape::While => Keyword::Wend,
@@ -154,7 +154,7 @@ pub(in crate::parse) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[To
     }
 }
 
-/// `IF … THEN` with its statement on the same line.
+/// Returns true for `IF … THEN` with its statement on the same line.
 fn has_statement_after_then(text: &str, tokens: &[Token]) -> bool {
     let then = tokens.iter().position(|it| is(text, it, Keyword::Then));
     then.is_some_and(|at| at + 1 < tokens.len())

@@ -1,5 +1,5 @@
-//! Statements whose first word is none of the language: what can be told of each of them all the same, so that it is
-//! one mistake. A misspelt keyword of a block opens and closes as the keyword does.
+//! Statements whose first word the language lacks. Each is read as far as its form shows what was meant, so that it is
+//! reported as one mistake. A misspelt keyword opens and closes blocks as the keyword does.
 
 use super::characters::narrow;
 use super::control::{joined, marked, spread};
@@ -17,12 +17,12 @@ use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, VariableKind, Word, upper_case};
 
-/// Returns the keyword of a block that a command is, if it is one.
+/// Returns a command as a keyword, if it opens, divides or closes a block.
 fn of_block(command: &str) -> Option<Keyword> {
     keywords::find(command, Edition::default()).filter(|keyword| Shape::of(*keyword).is_some())
 }
 
-/// Returns true if the rest of a statement is that of its misspelt keyword.
+/// Returns true if the rest of a statement fits the keyword that its first word probably means.
 fn fits(keyword: Keyword, text: &str, tokens: &[Token]) -> bool {
     let has = |word: Keyword| {
         let is_it = |token: &Token| {
@@ -51,14 +51,14 @@ impl Parser<'_> {
         is_searched.then(|| nearest(word, names))?
     }
 
-    /// Reads a statement that begins with no word of the language, if its form tells what it was to be.
+    /// Reads a statement whose first word the language lacks, if its form shows what was meant.
     pub(in crate::parse) fn unknown(
         &mut self,
         word: Span,
         tokens: &[Token],
     ) -> Option<StatementKind> {
         let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
-        // Nearly all statements begin with a command.
+        // The other searches take time, and nearly all statements begin with a command.
         if other.is_some() || self.is_command(self.source.slice(word)) {
             return other;
         }
@@ -70,7 +70,7 @@ impl Parser<'_> {
             .or_else(|| self.after_semicolon(word))
     }
 
-    /// `PRINT "N="; N`: what follows an unknown statement on its line is part of it.
+    /// Reads a statement after an unknown one on the same line as part of that, as in `PRINT "N="; N`.
     pub(in crate::parse) fn rest_of_unknown(&mut self, word: Span) -> Option<StatementKind> {
         let before = self.module.statements.last()?;
         let is_unknown = match &before.kind {
@@ -79,7 +79,7 @@ impl Parser<'_> {
                     && !self.is_command(&name.node)
                     && self.misspelt(&name.node).is_none()
             }
-            // Of several the first one is known to be unknown.
+            // The parts after the second one follow a part that was skipped here.
             StatementKind::Broken(Shape::Plain) => self.unknown_line == before.line,
             _ => false,
         };
@@ -95,8 +95,8 @@ impl Parser<'_> {
         goes_on.then_some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// Reads a statement whose first word is a misspelt keyword, or one in two words or before a parenthesis, as that
-    /// of the keyword.
+    /// Reads a statement whose first word is a keyword misspelt, in two words, or glued to a parenthesis, as a
+    /// statement of that keyword.
     pub(in crate::parse) fn intended(
         &mut self,
         word: Span,
@@ -133,12 +133,12 @@ impl Parser<'_> {
         })
     }
 
-    /// `MAIN-LOOP:`
+    /// Reads a label with blanks or a `-`: `MAIN-LOOP:`.
     pub(in crate::parse) fn label_in_pieces(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (first, rest) = tokens.split_first()?;
         let word = upper_case(self.source.slice(first.span));
         let is_known = self.is_command(&word) || self.misspelt(&word).is_some();
-        // `SUB WALK:` is rather a statement of another language.
+        // `SUB WALK:` is probably a statement of another language.
         let is_apart = rest.first().is_none_or(|next| next.kind == Kind::Word);
         if is_known || is_apart || first.kind != Kind::Word {
             return None;
@@ -153,7 +153,7 @@ impl Parser<'_> {
         Some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `*L1` where a label stands.
+    /// Reads a label that is marked as in another language: `*L1`.
     pub(in crate::parse) fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (location, name) = marked(self.text, tokens)?;
         let node = name.clone();
@@ -164,11 +164,11 @@ impl Parser<'_> {
         let fault = Diagnostic::new(Code::UnknownCommand, first, reason).about(word.as_str());
         let fault = fault.once(MistakeId::ForeignLabel(name.clone()));
         self.report(fault.help(Parsing::WriteLabel { name }));
-        // What jumps there is not wrong.
+        // The label is declared, so that jumps to it are not reported.
         Some(StatementKind::Label(Word { node, span }))
     }
 
-    /// `; a comment`: nothing but the mark stands before a word that is none of the language.
+    /// Reads a comment of another language: `; a comment`. Only the semicolon stands before an unknown word.
     pub(in crate::parse) fn after_semicolon(&mut self, word: Span) -> Option<StatementKind> {
         let start = self.line.span.start;
         let before = self.source.slice(Span::new(start, word.start));
@@ -181,7 +181,7 @@ impl Parser<'_> {
         Some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `DEF VAR`, which is one word.
+    /// Returns the declaration that the first two words make as one word, as in `DEF VAR`.
     pub(in crate::parse) fn second_of_two(
         &self,
         tokens: &[Token],
@@ -197,7 +197,7 @@ impl Parser<'_> {
         declared_kind(whole).map(|kind| (whole, kind))
     }
 
-    /// `END.`
+    /// Returns true for END with a dot: `END.`.
     pub(in crate::parse) fn is_end_with_dot(&self, word: Span) -> bool {
         let text = self.source.slice(word);
         let bare = text.trim_matches('.');
@@ -236,7 +236,7 @@ impl Parser<'_> {
         keywords::find(&narrow, self.module.edition)
     }
 
-    /// `ELSE IF`, which is one word.
+    /// Returns true if the second word is IF, as in `ELSE IF`, which should be one word.
     pub(in crate::parse) fn is_else_if(&self, tokens: &[Token]) -> bool {
         let second = tokens.get(1).map(|token| self.source.slice(token.span));
         second.is_some_and(|word| Keyword::If.is(word))
@@ -342,7 +342,7 @@ impl Parser<'_> {
         Some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `A, B = 1, 2`
+    /// Reads an assignment of several variables: `A, B = 1, 2`.
     pub(in crate::parse) fn several_assigned(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let equals = tokens.iter().position(|it| it.kind == Kind::Assign(None))?;
         let (names, _) = tokens.split_at(equals);
@@ -372,7 +372,7 @@ impl Parser<'_> {
         Some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `++A`
+    /// Reads an increment with its signs in front: `++A`.
     pub(in crate::parse) fn increment_before(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let [first, second, name] = tokens else {
             return None;
@@ -411,7 +411,7 @@ fn is_member(word: &str) -> bool {
 }
 
 impl Parser<'_> {
-    /// `10 PTP F1 P`: one mistake, however many lines have a number.
+    /// Reads a statement after a line number, as in `10 PTP F1 P`. All line numbers are one mistake.
     pub(in crate::parse) fn line_number(
         &mut self,
         word: Span,
@@ -439,7 +439,7 @@ impl Parser<'_> {
         Some(StatementKind::Broken(shape))
     }
 
-    /// `90 END` at the end of the file: its number is reported.
+    /// Returns true if the last statement is END after a line number, as in `90 END`, which is reported.
     pub(in crate::parse) fn ends_with_number(&self) -> bool {
         let last = self.module.statements.last();
         last.filter(|_| self.is_numbered).is_some_and(|last| {

@@ -1,4 +1,4 @@
-//! FOR loops whose number of turns is known: constants, and a body that leaves the counting alone.
+//! FOR loops with a known number of turns: over constants, with a body that does not change the counter.
 
 use super::search::Work;
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,13 +7,13 @@ use tipc::analysis::access;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::{Action, Operand, Program, StepId};
 
-/// The most turns that are counted. At 20 ms they take more than five hours.
+/// Maximum number of turns that are counted. At 20 ms they take more than five hours.
 const MAX_TURNS: u64 = 1_000_000;
 
 /// Maximum nesting depth of counted loops. Those inside count as loops without a bound.
 const DEPTH: usize = 32;
 
-/// A loop that turns a known number of times, unless something leaves it before.
+/// A loop with a known number of turns, unless a jump leaves it earlier.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Counted {
     /// Its body, whose last node is NEXT.
@@ -29,14 +29,14 @@ impl Counted {
     }
 }
 
-/// Returns the counted loops of a program by the nodes of their FORs. Of very many in each other some may be missing:
-/// the work is bounded.
+/// Returns the counted loops of a program by the nodes of their FORs. Some of very many nested loops may be missing,
+/// since the work is bounded.
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
     let work = Work::of(flow.nodes().len());
     let additions = Work::new(MAX_TURNS as usize, flow.nodes().len());
     let before = flow.before();
     let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
-    // Something else leads or calls into the body.
+    // A jump or call from elsewhere leads into the body.
     let is_entered = |head: NodeId, body: &Range<NodeId>| {
         let is_outside = |from: &NodeId| *from != head && !body.contains(from);
         let is_called = entries.range(body.clone()).next().is_some();
@@ -86,8 +86,8 @@ fn candidate(program: &Program, flow: &Flow, step: StepId, additions: &Work) -> 
     })
 }
 
-/// Returns the number of runs of FOR's body; `None` if never, or too often to count. The sums of fractions are rounded as they
-/// are when the loop runs, so each takes an addition.
+/// Returns the number of turns of a FOR; `None` if there is none, or too many to count. Fractions are added one by one,
+/// so that the sums are rounded as in the running loop.
 fn turns([from, to, by]: [f64; 3], additions: &Work) -> Option<u64> {
     let goes_on = |value: f64| {
         if by > 0.0 {

@@ -1,4 +1,4 @@
-//! Costs of a program's steps, and edges between them: calls and counted loops inside as one edge.
+//! Costs of a program's steps, and edges between them. A call or a counted loop is one edge.
 
 use super::counted::{Counted, counted};
 use super::search::{Edge, Place, Work, components, ends, reversed};
@@ -19,15 +19,15 @@ pub(super) struct Graph<'a> {
     counted: BTreeMap<NodeId, Counted>,
     /// Cost of a call from its entry to its return; `None` if it never comes back.
     routines: BTreeMap<NodeId, Option<Count>>,
-    /// Cost of a counted loop from its FOR to where it is left, once all calls are counted.
+    /// The edges of each counted loop from its FOR to its exits. They are known once all calls are counted.
     passed: RefCell<BTreeMap<NodeId, Vec<Edge>>>,
 }
 
-/// Ends of paths, besides the end of their frame.
+/// Conditions that end paths, besides the end of their routine.
 pub(super) struct Limits<'a> {
-    /// A node that is not passed.
+    /// Returns true for a node at which paths end.
     pub(super) stops: &'a dyn Fn(NodeId) -> bool,
-    /// A counted loop that cannot count as one edge, because paths end inside.
+    /// Returns true for a counted loop that cannot be one edge, because paths end inside.
     pub(super) opens: &'a dyn Fn(&Counted) -> bool,
 }
 
@@ -54,7 +54,7 @@ impl<'a> Graph<'a> {
             .map(|(entry, cycles)| (*entry, *cycles))
     }
 
-    /// Returns the nodes that follow each node in its own frame, calls passed in one.
+    /// Returns the successors of each node in its own routine. A call is followed by the node to which it returns.
     pub(super) fn next(&self) -> Vec<Vec<NodeId>> {
         let comes_back = |call: &Call| self.routines[&call.entry].is_some();
         let next = self.flow.nodes().iter().map(|node| {
@@ -95,7 +95,7 @@ impl<'a> Graph<'a> {
         self.ends(from, &limits, work)
     }
 
-    /// Counts the calls, those inside first, and those again that something changes for.
+    /// Counts the calls, inner ones first, and repeats those whose inner calls have changed.
     fn count_routines(&mut self, work: &Work) -> Option<()> {
         let entries: Vec<NodeId> = self.routines.keys().copied().collect();
         let called = called(self.flow, &entries, work)?;
@@ -172,7 +172,7 @@ impl<'a> Graph<'a> {
         Some(next.chain(call).chain(end).collect())
     }
 
-    /// Returns a counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
+    /// Returns the edges of a counted loop from its FOR to its exits: past NEXT after all turns, elsewhere in any turn.
     fn past(&self, head: NodeId, counted: &Counted, work: &Work) -> Option<Vec<Edge>> {
         let (body, next) = (counted.nodes.start, counted.next());
         let inner = Limits {
@@ -251,7 +251,7 @@ fn cost(action: &Action, longest_sampling: f64) -> Count {
 
 /// Returns the cycles of SLEEP (clause 2.19).
 fn slept(ms: f64, sampling: f64) -> u64 {
-    // Out of range saturates; a negative time fails when it runs.
+    // The conversion saturates. A negative time fails at runtime.
     ((ms / sampling - 1e-9).ceil() as u64).max(1)
 }
 

@@ -1,11 +1,11 @@
-//! One turn of each loop, whatever statements it is made of.
+//! One turn of each loop, for loops of any statements.
 
 use super::graph::{Graph, Limits};
 use super::search::{Place, Work, components, reversed};
 use super::{Part, Span};
 use tipc::analysis::flow::{Flow, NodeId};
 
-/// Edges of nodes in their own frame, and the loop that is looked at.
+/// Edges of nodes in their own routine, and the state of the search.
 struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
@@ -17,8 +17,8 @@ struct Loops {
     held_by: Vec<NodeId>,
 }
 
-/// Returns the turns in the order of their heads, and true if those are all. A head is a node that something in the
-/// loop, after it or itself, leads back to.
+/// Returns the turns in the order of their heads, and true if none is left out. A head is a node to which a later node
+/// of its loop, or the node itself, leads back.
 pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     let work = Work::of(flow.nodes().len());
     let next = graph.next();
@@ -45,7 +45,7 @@ pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     (parts, are_all)
 }
 
-/// Returns one turn, if there is a way; `None` if that is more work than is left.
+/// Returns one turn, if there is a path; `None` if that is more work than is left.
 fn turn(
     flow: &Flow,
     graph: &Graph,
@@ -72,7 +72,7 @@ fn turn(
 }
 
 impl Loops {
-    /// Returns the nodes that lead to a node and are on a ring with the head.
+    /// Returns the predecessors of a node that are on a cycle with the head.
     fn on_ring_before(&self, head: NodeId, to: NodeId) -> impl Iterator<Item = NodeId> {
         let before = self.before[to].iter().copied();
         before.filter(move |from| self.components[*from] == self.components[head])

@@ -1,4 +1,5 @@
-//! Searches in graphs: the least and the most cycles from one node to where paths end, and what leads back to itself.
+//! Searches in graphs: the minimum and maximum number of cycles from a node to the ends of its paths, and strongly
+//! connected components.
 
 use super::Count;
 use std::cell::Cell;
@@ -21,7 +22,7 @@ pub(super) enum Place {
     ThreadEnd,
 }
 
-/// A step of a path: what it costs to be at the next place.
+/// An edge of a path, with the cost to reach its target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Edge {
     pub(super) to: Place,
@@ -33,7 +34,7 @@ pub(super) struct Edge {
 pub(super) struct Work(Cell<usize>);
 
 impl Work {
-    /// Work that every program may take. What honest programs take is far below.
+    /// Work that every program may take. Real programs need much less.
     const MIN_WORK: usize = 100_000;
 
     /// Work for each of its nodes.
@@ -49,7 +50,7 @@ impl Work {
         Work(Cell::new(least + Work::FOR_NODE * nodes))
     }
 
-    /// Takes some of it; `None` if there is not so much left, and nothing then is.
+    /// Takes some work; `None` if less is left, and then nothing is.
     pub(super) fn take(&self, work: usize) -> Option<()> {
         let left = self.0.get().checked_sub(work);
         self.0.set(left.unwrap_or_default());
@@ -79,7 +80,7 @@ pub(super) fn ends(
     Some(counts.collect())
 }
 
-/// The places that paths from one node come to, by numbers of their own: it is 0.
+/// The places that paths from one node reach. Each has a number; that node has 0.
 #[derive(Debug)]
 struct Paths {
     places: Vec<Place>,
@@ -114,7 +115,7 @@ impl Paths {
         Some(Paths { places, leaving })
     }
 
-    /// Returns the least cycles to each place (Dijkstra).
+    /// Returns the minimum number of cycles to each place (Dijkstra).
     fn least(&self) -> Vec<Option<u64>> {
         let mut least = vec![None; self.places.len()];
         let mut is_done = vec![false; self.places.len()];
@@ -134,8 +135,8 @@ impl Paths {
         least
     }
 
-    /// Returns the most cycles to each place, in the order of all paths (Kahn). What a path can circle through
-    /// before is never in order: it is absent, or `None`.
+    /// Returns the maximum number of cycles to each place, in topological order (Kahn). A place behind a cycle of edges
+    /// has no maximum: `Some(None)` or `None`.
     fn most(&self) -> Vec<Option<Option<u64>>> {
         let mut ways_in = vec![0_usize; self.places.len()];
         for (to, _) in self.leaving.iter().flatten() {
@@ -163,7 +164,7 @@ impl Paths {
         most
     }
 
-    /// Returns for each place whether some path to it waits.
+    /// Returns true for each place to which some path waits.
     fn waiting(&self) -> Vec<bool> {
         let mut known = vec![None; self.places.len()];
         let mut open = VecDeque::from([(0, false)]);
@@ -180,7 +181,7 @@ impl Paths {
     }
 }
 
-/// Returns for each node those that lead to it.
+/// Returns the predecessors of each node.
 pub(super) fn reversed(next: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut before = vec![Vec::new(); next.len()];
     for (id, next) in next.iter().enumerate() {
@@ -191,8 +192,8 @@ pub(super) fn reversed(next: &[Vec<usize>]) -> Vec<Vec<usize>> {
     before
 }
 
-/// Returns for each node the number of its component: two nodes with paths to each other share it, no others do
-/// (Kosaraju and Sharir). A component has a lower number than those that it leads to. `before` is the reverse of `next`.
+/// Returns the number of the strongly connected component of each node (Kosaraju and Sharir). A component has a lower
+/// number than those that it leads to. `before` is the reverse of `next`.
 pub(super) fn components(next: &[Vec<usize>], before: &[Vec<usize>]) -> Vec<usize> {
     let mut components = vec![usize::MAX; next.len()];
     for (component, id) in last_first(next).into_iter().enumerate() {
@@ -207,7 +208,7 @@ pub(super) fn components(next: &[Vec<usize>], before: &[Vec<usize>]) -> Vec<usiz
     components
 }
 
-/// Returns the nodes, each before those that a depth-first search leaves earlier.
+/// Returns the nodes in reverse postorder of a depth-first search.
 fn last_first(next: &[Vec<usize>]) -> Vec<usize> {
     let mut order = Vec::new();
     let mut seen = vec![false; next.len()];

@@ -1,4 +1,4 @@
-//! Statements: labels and jumps, blocks and words that stand alone on their lines, and declarations.
+//! Fixes of labels and jumps, blocks, words that stand alone on their lines, and declarations.
 
 use super::Site;
 use crate::message::Fixing;
@@ -11,7 +11,7 @@ use tipc::message::{Message, Naming, Parsing, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::{Shape, StatementKind};
 
-/// Labels and jumps.
+/// Returns the fix of a label or jump.
 pub(super) fn jumps(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (Message::Parsing(Parsing::LabelColonMissing | Parsing::NameColonMissing), _) => {
@@ -27,7 +27,7 @@ pub(super) fn jumps(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `GOTO L1`, `START`, `L1.`
+/// Returns the fix that adds a colon: `GOTO L1`, `START`, `L1.`.
 fn with_colon(site: &Site<'_>) -> Fix {
     let bare = site.text().trim_end_matches(['.', '-']);
     let rest = Span::new(site.span().start + bare.len(), site.span().end);
@@ -35,7 +35,7 @@ fn with_colon(site: &Site<'_>) -> Fix {
     Fix::certain(title, [Edit::replace(rest, ":")])
 }
 
-/// `IF c THEN GOTO L1:`, `IF c GOTO L1: THEN`.
+/// Returns the fix that removes THEN: `IF c THEN GOTO L1:`, `IF c GOTO L1: THEN`.
 fn without_then(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let at = tokens.iter().position(|it| site.is(it, Keyword::Then))?;
@@ -47,7 +47,7 @@ fn without_then(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(title, [Edit::remove(rest)]))
 }
 
-/// `ELSE:`
+/// Returns the fix that removes a colon: `ELSE:`.
 fn without_colon(site: &Site<'_>) -> Option<Fix> {
     let end = site.span().end;
     let rest = site.slice(Span::new(end, site.line().span.end));
@@ -58,7 +58,7 @@ fn without_colon(site: &Site<'_>) -> Option<Fix> {
     is_colon.then(|| Fix::certain(title, [edit]))
 }
 
-/// THEN, words that stand alone on their lines, and END.
+/// Returns the fix of a THEN, of a word that stands alone on its line, or of END.
 pub(super) fn blocks(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (Message::Parsing(Parsing::ThenOrJumpBelongsHere | Parsing::ThenBelongsHere), _) => {
@@ -78,7 +78,7 @@ pub(super) fn blocks(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `IF c`, with nothing after it.
+/// Returns the fix that adds THEN to `IF c`.
 fn then(site: &Site<'_>) -> Option<Fix> {
     let title = Fixing::Insert {
         text: Keyword::Then.into(),
@@ -87,7 +87,7 @@ fn then(site: &Site<'_>) -> Option<Fix> {
     site.text().is_empty().then(|| Fix::certain(title, [then]))
 }
 
-/// `IF c:`, `WHILE c:`
+/// Returns the fix of a colon after a condition: `IF c:`, `WHILE c:`.
 fn colon(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let first = tokens.first()?;
@@ -105,7 +105,7 @@ fn colon(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(title, [Edit::replace(location, then)]))
 }
 
-/// `WHILE c DO`
+/// Returns the fix that removes words after a condition: `WHILE c DO`.
 fn after_condition(site: &Site<'_>) -> Option<Fix> {
     let openers = ["DO", Keyword::Then.word()];
     let text = site.text();
@@ -124,7 +124,7 @@ fn removed(site: &Site<'_>, location: Span) -> Fix {
     Fix::certain(title, [Edit::remove(Span::new(start, location.end))])
 }
 
-/// `IF c THEN A = 1`, perhaps with an ELSE and an ENDIF on the same line.
+/// Returns the fix that breaks `IF c THEN A = 1` into lines. An ELSE and an ENDIF may follow on the same line.
 fn one_line_if(site: &Site<'_>) -> Option<Fix> {
     let index = site.index()?;
     let statement = &site.module.statements[index];
@@ -163,7 +163,7 @@ fn one_line_if(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::Block, edits))
 }
 
-/// `ELSE A = 1`, `WHILE c; A = 1; WEND`.
+/// Returns the fix that gives a word a line of its own: `ELSE A = 1`, `WHILE c; A = 1; WEND`.
 fn alone(site: &Site<'_>) -> Option<Fix> {
     let index = site.index()?;
     let statements = &site.module.statements;
@@ -196,7 +196,7 @@ fn alone(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::OwnLines, edits))
 }
 
-/// Adds END on a line of its own after the last one.
+/// Returns the fix that adds END on a line after the last one.
 fn end(site: &Site<'_>) -> Option<Fix> {
     let count = site.source.line_count();
     // On line 2 it would be the title.
@@ -216,7 +216,7 @@ fn end(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(title, [Edit::insert(at, text)]))
 }
 
-/// The title before declarations, names that lack one, values in them, and those that nothing uses.
+/// Returns the fix of a missing title, a missing declaration, a value in a declaration, or an unused declaration.
 pub(super) fn declarations(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (_, Some(Message::Suggestion(Suggestion::Title))) => {
@@ -236,7 +236,7 @@ pub(super) fn declarations(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `DEF_VAR N = 0`: the value as an assignment after the declaration, and the name.
+/// Returns the name of `DEF_VAR N = 0`, and an edit that turns the value into an assignment after the declaration.
 pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str, Edit)> {
     let (name, value) = match tokens {
         [_, name, operator, value] if operator.kind == Kind::Assign(None) => (name, value.span),
@@ -253,7 +253,7 @@ pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str,
     Some((word, Edit::replace(rest, text)))
 }
 
-/// Returns a declaration before the first statement that is none.
+/// Returns the fix that adds a declaration before the first statement that is not one.
 fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
     let mut statements = site.module.statements.iter();
     let first = statements.find(|it| !matches!(it.kind, StatementKind::Define { .. }))?;
@@ -265,7 +265,7 @@ fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
     Some(Fix::likely(title, [Edit::insert(start, text)]))
 }
 
-/// Returns the name alone, or the whole declaration if it has no other.
+/// Returns the fix that removes an unused name, or the whole declaration if it has no other name.
 fn unused(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let at = tokens.iter().position(|token| token.span == site.span())?;
@@ -273,10 +273,10 @@ fn unused(site: &Site<'_>) -> Option<Fix> {
         name: site.text().into(),
     };
     let location = match (at, tokens.get(2)) {
-        // Where the line is wrong too, what stands before the name may be no part of it.
+        // If the line is wrong as well, the text before the name may not belong to it.
         (0, _) => return None,
         (_, None) => declaration(site)?,
-        // Of several names, one side's blanks stay.
+        // The blanks on one side of the name stay between its neighbours.
         (1, Some(next)) => Span::new(tokens[1].span.start, next.span.start),
         (_, Some(_)) => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
     };

@@ -1,4 +1,4 @@
-//! Characters and texts: full-width words, comments of other languages, PRINT of other languages, quotes, and line breaks.
+//! Fixes of characters and texts: full-width words, comments and PRINT of other languages, quotes, and line breaks.
 
 use super::Site;
 use crate::message::{Fixing, Linting};
@@ -19,10 +19,10 @@ const CLOSES: &str = "*/";
 
 /// Line end in a text of C.
 const BREAK: &str = "\\n";
-/// Starts of placeholders and escapes: other languages mean something else by them.
+/// Starts of placeholders and escapes, which differ from those of other languages.
 const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
 
-/// Characters that cannot stand where they are, and comments.
+/// Returns the fix of a full-width or typographic character, or of a comment.
 pub(super) fn characters(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
         (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
@@ -38,7 +38,7 @@ pub(super) fn characters(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `ＮＥＸＴ`, at each location that the diagnostic lists.
+/// Returns the fix of full-width words such as `ＮＥＸＴ` at each location of the diagnostic.
 fn half_width(site: &Site<'_>) -> Option<Fix> {
     let also = |label: &&Label| label.text == Naming::AlsoHere.into();
     let others = site.diagnostic.labels.iter().filter(also);
@@ -51,14 +51,14 @@ fn half_width(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::HalfWidth, edits.collect::<Vec<_>>()))
 }
 
-/// Returns all full-width characters of a statement, since one after the other would never be the last one.
+/// Returns edits for all full-width characters of a statement: fixing only one leaves the diagnostic in place.
 fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     let text = site.source.text();
     let first = Span::new(
         span.start,
         word_end(&text.as_bytes()[..span.end], span.start),
     );
-    // After these words any character may stand.
+    // These words may be followed by any characters.
     let word = narrow(site.slice(first));
     let takes_text = keywords::find(&word, site.module.edition)
         .is_some_and(|word| matches!(word, Keyword::Message | Keyword::Rem));
@@ -81,7 +81,7 @@ fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     edits
 }
 
-/// Returns the plain spelling of characters that are wide, or of typesetting.
+/// Returns the plain spelling of full-width and typographic characters.
 fn plain(text: &str) -> String {
     if text == LONG_VOWEL {
         return "-".to_owned();
@@ -97,12 +97,12 @@ fn plain(text: &str) -> String {
     narrow(&out)
 }
 
-/// `# …`, `' …`, `/* … */` on one line.
+/// Returns the fix of a comment of another language on one line: `# …`, `' …`, `/* … */`.
 fn comment(site: &Site<'_>) -> Option<Fix> {
     let line = site.line().span;
     let before = site.slice(Span::new(line.start, site.span().end));
     let starts = site.statement().map(|it| it.span.start);
-    // Of a comment after a statement the mark stands before its text.
+    // A comment after a statement begins at its mark.
     let start = match starts.filter(|start| is_comment(&before[start - line.start..])) {
         Some(start) => start,
         None => line.start + comment_after(before)?,
@@ -113,7 +113,7 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
     let mut edits = vec![Edit::replace(Span::new(start, start + mark.len()), COMMENT)];
     let kept = text.trim_end_matches(BLANKS);
     if let Some(at) = kept.find(CLOSES).filter(|_| mark == OPENS) {
-        // What follows the comment is a statement.
+        // A statement follows the comment.
         if at + CLOSES.len() != kept.len() {
             return None;
         }
@@ -125,7 +125,7 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// Returns true if a comment of another language can be nothing else: `#define` and `--N` do something.
+/// Returns true if a text can only be a comment. `#define` and `--N` may be statements.
 fn surely_comments(comment: &str) -> bool {
     let directives = ["define", "if", "else", "endif", "undef", "pragma"];
     let rest = comment.trim_start_matches('#');
@@ -145,7 +145,7 @@ fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
     Edit::remove(end)
 }
 
-/// Texts of MESSAGE.
+/// Returns the fix of the text of a MESSAGE.
 pub(super) fn messages(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (_, Some(Message::Suggestion(Suggestion::Glued { command })))
@@ -162,7 +162,7 @@ pub(super) fn messages(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `PRINT "text"`.
+/// Returns the fix of `PRINT "text"`.
 pub(crate) fn print(site: &Site<'_>) -> Option<Fix> {
     let start = site.span().start;
     let word = Span::new(start, start + name(site.text()).len());
@@ -177,7 +177,7 @@ pub(crate) fn print(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::Show, edits))
 }
 
-/// `MESSAGE"text"`, `MESSAGE("text")`.
+/// Returns the fix of `MESSAGE"text"` and `MESSAGE("text")`.
 fn glued(site: &Site<'_>) -> Option<Fix> {
     let statement = site.statement()?.span;
     let start = statement.start + Keyword::Message.word().len();
@@ -186,7 +186,8 @@ fn glued(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::Show, edits))
 }
 
-/// Returns opener and closer of the one text that stands there: quotes, perhaps in parentheses.
+/// Returns the spans before and after a text in quotes: the quotes, parentheses around them, and a `\n` at the end of
+/// the text. Returns `None` unless there is just one text.
 fn quotes(site: &Site<'_>, location: Span) -> Option<[Span; 2]> {
     let location = trimmed(site, location);
     let mut inside = location;
@@ -214,7 +215,7 @@ fn quotes(site: &Site<'_>, location: Span) -> Option<[Span; 2]> {
     ])
 }
 
-/// `$N`, `{N}`, `%N` of a variable.
+/// Returns the fix of a value in the form of another language: `$N`, `{N}`, `%N`.
 fn value(site: &Site<'_>, name: &str) -> Fix {
     let new = format!("%{name}%");
     let title = Fixing::Replace {
@@ -232,7 +233,7 @@ fn trimmed(site: &Site<'_>, location: Span) -> Span {
     Span::new(end - kept.trim_start_matches(DELIMITERS).len(), end)
 }
 
-/// `\n` at the end of a text, which ends there anyway.
+/// Returns the fix that removes `\n` at the end of a text, where the line ends anyway.
 fn last_break(site: &Site<'_>) -> Option<Fix> {
     let StatementKind::Message { text } = &site.statement()?.kind else {
         return None;

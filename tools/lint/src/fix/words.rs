@@ -1,5 +1,4 @@
-//! Words: those of other languages, misspelled ones, and those that have another name here. Operators, numbers and
-//! parentheses.
+//! Fixes of words of other languages, misspelled and renamed words, operators, numbers and parentheses.
 
 use super::Site;
 use super::statements::initial;
@@ -11,7 +10,7 @@ use tipc::lex::{Kind, Token};
 use tipc::message::{Commanding, Message, Naming, Parsing, Structuring, Suggestion};
 use tipc::source::Span;
 
-/// No change is known.
+/// Returns no fix.
 pub(crate) fn none(_: &Site<'_>) -> Option<Fix> {
     None
 }
@@ -48,7 +47,7 @@ fn suggested(site: &Site<'_>, help: &Suggestion) -> Option<Fix> {
         Suggestion::InOneWord { word } if word == Keyword::ElseIf.word() => branch(site),
         Suggestion::InOneWord { word } => {
             let location = match site.reason() {
-                // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
+                // The unknown word is the first one in `DEF VAR N`, and the second one in `PTP ANGLE`.
                 Message::Commanding(_) => in_pieces(site, &site.tokens(), word)?,
                 _ => site.span(),
             };
@@ -58,7 +57,7 @@ fn suggested(site: &Site<'_>, help: &Suggestion) -> Option<Fix> {
     }
 }
 
-/// Returns the words of a statement that are one in `whole`.
+/// Returns the location of the words of a statement that `whole` writes as one word.
 fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
     let parts = 1 + whole.matches('_').count();
     (2..=parts.min(tokens.len())).find_map(|count| {
@@ -69,7 +68,7 @@ fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
     })
 }
 
-/// `END WHILE`.
+/// Returns the fix of `END WHILE`.
 fn ended(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     let is_end = matches!(
         site.reason(),
@@ -78,24 +77,24 @@ fn ended(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     is_end.then(|| certain(site, site.span(), keyword.word()))
 }
 
-/// `ENDWHILE`.
+/// Returns the fix of `ENDWHILE`.
 pub(crate) fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     Some(certain(site, site.span(), keyword.word()))
 }
 
-/// `RET`, `QUIT`.
+/// Returns the fix of another word for a statement of one word: `RET`, `QUIT`.
 pub(crate) fn alone(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     (site.tokens().len() == 1).then(|| likely(site, site.span(), keyword.word()))
 }
 
-/// `ELIF c`, `ELSE IF c`.
+/// Returns the fix of `ELIF c` and `ELSE IF c`.
 pub(crate) fn branch(site: &Site<'_>) -> Option<Fix> {
     let mut fix = certain(site, site.span(), Keyword::ElseIf.word());
     fix.edits.extend(then(site, &site.tokens()));
     Some(fix)
 }
 
-/// Adds THEN where an ELSEIF of another language has none, or a colon.
+/// Returns the edit that adds a missing THEN to an ELSEIF of another language, or replaces its colon.
 fn then(site: &Site<'_>, tokens: &[Token]) -> Option<Edit> {
     let last = tokens.last()?;
     match last.kind {
@@ -116,7 +115,7 @@ fn replaced(site: &Site<'_>, location: Span, new: &str) -> Fix {
     Fix::certain(title, [Edit::replace(location, new)])
 }
 
-/// Replaces a text by a word, in small letters if the statement is written so.
+/// Returns the fix that replaces a text by a word, in small letters if the statement begins with small letters.
 fn certain(site: &Site<'_>, location: Span, word: &str) -> Fix {
     replaced(site, location, &site.like(word))
 }
@@ -126,7 +125,7 @@ fn likely(site: &Site<'_>, location: Span, word: &str) -> Fix {
     Fix::likely(fix.title, fix.edits)
 }
 
-/// Returns the name that is near to the one that stands there.
+/// Returns the fix that replaces a name by one that is near.
 fn replace_by(site: &Site<'_>, near: &str) -> Option<Fix> {
     let is_name = matches!(
         site.reason(),
@@ -139,7 +138,7 @@ fn replace_by(site: &Site<'_>, near: &str) -> Option<Fix> {
     }
 }
 
-/// Returns another word for a name that is not declared, at each location that the diagnostic lists.
+/// Returns the fix that replaces an undeclared name by a word at each location of the diagnostic.
 pub(crate) fn everywhere(site: &Site<'_>, word: &str) -> Option<Fix> {
     let name = site.diagnostic.subject.as_deref().unwrap_or_default();
     let locations = [site.span()].into_iter();
@@ -160,7 +159,7 @@ pub(crate) fn everywhere(site: &Site<'_>, word: &str) -> Option<Fix> {
     Some(Fix::likely(title, edits.collect::<Vec<_>>()))
 }
 
-/// `SUB WALK`, its colon forgotten as well.
+/// Returns the fix of `SUB WALK`, which may also lack its colon.
 pub(crate) fn subroutine(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let mut fix = certain(site, site.span(), Keyword::Subroutine.word());
@@ -172,7 +171,7 @@ pub(crate) fn subroutine(site: &Site<'_>) -> Option<Fix> {
     Some(fix)
 }
 
-/// `JUMP L1`, `GO TO L1:`.
+/// Returns the fix of `JUMP L1` and `GO TO L1:`.
 pub(crate) fn goto(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let second = tokens.get(1).filter(|second| site.is(second, Keyword::To));
@@ -189,7 +188,7 @@ pub(crate) fn goto(site: &Site<'_>) -> Option<Fix> {
     Some(fix)
 }
 
-/// `LET A = 1`.
+/// Returns the fix of `LET A = 1`.
 pub(crate) fn assignment(site: &Site<'_>) -> Option<Fix> {
     let [word, name, operator, ..] = *site.tokens() else {
         return None;
@@ -200,7 +199,7 @@ pub(crate) fn assignment(site: &Site<'_>) -> Option<Fix> {
     is_equation.then(|| Fix::certain(title, [Edit::remove(rest)]))
 }
 
-/// `WAIT INPOS ALL`, `WAIT 200`.
+/// Returns the fix of `WAIT INPOS ALL` and `WAIT 200`.
 pub(crate) fn wait(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let [word, second, rest @ ..] = tokens.as_slice() else {
@@ -216,7 +215,7 @@ pub(crate) fn wait(site: &Site<'_>) -> Option<Fix> {
     is_alone.then(|| likely(site, word.span, Op::Sleep.name()))
 }
 
-/// `VAR N`, `DIM N = 0`.
+/// Returns the fix of `VAR N` and `DIM N = 0`.
 pub(crate) fn declaration(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     let tokens = site.tokens();
     if site.slice(site.statement()?.span).contains('(') {
@@ -230,7 +229,7 @@ pub(crate) fn declaration(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     Some(fix)
 }
 
-/// `CONST N = 3`; `DEFINE N 3` has no sign between.
+/// Returns the fix of `CONST N = 3`: DEFINE has no `=`.
 pub(crate) fn constant(site: &Site<'_>) -> Option<Fix> {
     let has_sign = site.tokens().iter().any(|it| it.kind != Kind::Word);
     has_sign.then(|| declaration(site, Keyword::DefVar))?
@@ -277,7 +276,7 @@ pub(super) fn operators(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `1,000` or `4,5`.
+/// Returns the fix of `1,000` or `4,5`.
 fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
     let after = site.text().len();
     let start = site.span().end.checked_sub(whole.len() + 1)?;
@@ -288,7 +287,7 @@ fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
     Some(Fix::likely(fix.title, fix.edits))
 }
 
-/// Relations of other languages, and their spelling here.
+/// Relations of other languages, and their spelling in T.I.P.
 const RELATIONS: &[(&str, &str)] = &[
     ("===", "=="),
     ("!==", "<>"),
@@ -300,7 +299,7 @@ const RELATIONS: &[(&str, &str)] = &[
     ("=", "=="),
 ];
 
-/// `!=`, `=>`, `=`: all signs that stand there together.
+/// Returns the fix of a relation of another language: `!=`, `=>`, `=`. Neighbouring signs are replaced together.
 fn relation(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let is_sign = |token: &&Token| !matches!(token.kind, Kind::Word | Kind::Arithmetic(_));
@@ -314,7 +313,7 @@ fn relation(site: &Site<'_>) -> Option<Fix> {
     Some(replaced(site, location, new))
 }
 
-/// `A++`
+/// Returns the fix of `A++`.
 fn increment(site: &Site<'_>, sign: &str) -> Option<Fix> {
     let tokens = site.tokens();
     let location = tokens.get(1)?.span.to(tokens.get(2)?.span);
@@ -329,7 +328,7 @@ fn increment(site: &Site<'_>, sign: &str) -> Option<Fix> {
     ))
 }
 
-/// `NOT KB_HIT`; a comparison is turned round by hand.
+/// Returns the fix of `NOT KB_HIT`. A negated comparison has no fix.
 fn not(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let at = tokens.iter().position(|token| token.span == site.span())?;
@@ -339,7 +338,7 @@ fn not(site: &Site<'_>) -> Option<Fix> {
     is_flag.then(|| replaced(site, site.span().to(next.span), &new))
 }
 
-/// Returns the only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
+/// Returns the fix that removes the only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
 fn parentheses(site: &Site<'_>) -> Option<Fix> {
     let statement = site.statement()?.span;
     let text = site.slice(statement);
@@ -360,7 +359,7 @@ fn parentheses(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::RemoveParentheses, edits))
 }
 
-/// Returns true if parentheses hold a calculation that would be another one without them: all but the whole right
+/// Returns true if parentheses change the result of a calculation: they hold an operation, and are not the whole right
 /// side.
 fn calculates(site: &Site<'_>, statement: Span, inside: Span) -> bool {
     let (before, tokens, after) = (
@@ -369,7 +368,7 @@ fn calculates(site: &Site<'_>, statement: Span, inside: Span) -> bool {
         site.tokens_of(Span::new(inside.end + 1, statement.end)),
     );
     let is_operator = |token: &Token| matches!(token.kind, Kind::Arithmetic(_) | Kind::Not);
-    // A sign follows a comma, or nothing.
+    // A sign after a comma, or at the beginning, is not an operation.
     let is_sign = |at: usize| {
         at == 0
             || site

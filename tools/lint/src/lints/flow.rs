@@ -19,22 +19,22 @@ use tipc::syntax::{Statement, StatementKind};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constant {
     pub(super) step: StepId,
-    /// Presence of a warning about it.
+    /// The outcome.
     outcome: Outcome,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Outcome {
-    /// A condition.
+    /// The result of a condition.
     Is(bool),
-    /// A FOR that runs its body not even once.
+    /// The FOR never runs its body.
     Never,
-    /// A count by 0, of which another warning speaks.
+    /// The increment is 0, which stops the program. Another warning reports that.
     Stops,
 }
 
-/// Returns the steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 ==
-/// 0` are meant so.
+/// Returns the steps whose outcome is always the same, in order, except for intended endless loops: `WHILE 1 == 1` and
+/// `UNTIL 1 == 0`.
 pub(super) fn constant(context: &LintContext<'_>) -> Vec<Constant> {
     let steps = (0..).zip(context.program.steps());
     let constant = |(step, content): (StepId, &tipc::program::Step)| {
@@ -84,7 +84,7 @@ fn settled(condition: Condition) -> Option<bool> {
     }
 }
 
-/// Warns of conditions whose outcome never changes, and loops that therefore never run, or never end.
+/// Warns of conditions whose outcome never changes, and of loops that never run or never end because of that.
 pub(super) fn conditions(
     context: &LintContext<'_>,
     constant: &[Constant],
@@ -116,21 +116,21 @@ pub(super) fn conditions(
     }
 }
 
-/// For each step how many before it do something or go elsewhere.
+/// For each step, the number of earlier steps that act or jump.
 struct EffectCounts(Vec<u32>);
 
 impl EffectCounts {
     fn of(program: &Program) -> Self {
-        let mut deeds = vec![0];
+        let mut counts = vec![0];
         let mut count = 0;
         for step in program.steps() {
             count += u32::from(step.action.acts() || leads_on(&step.action));
-            deeds.push(count);
+            counts.push(count);
         }
-        EffectCounts(deeds)
+        EffectCounts(counts)
     }
 
-    /// Returns true if something depends on a step: a block without any action is a sketch.
+    /// Returns true if the outcome of a step has an effect. A block without any action is an unfinished program.
     fn depend_on(&self, program: &Program, step: StepId) -> bool {
         match &program.steps()[step as usize].action {
             Action::If { otherwise: end, .. }
@@ -205,9 +205,10 @@ pub(super) fn condition(statement: &Statement) -> Span {
     }
 }
 
-/// Returns the steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the
-/// condition. Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag or a special variable says
-/// may change at any time, and so may a variable that native code or another thread assigns. A loop that does nothing is left out: whoever runs the program may assign the variable that it waits for.
+/// Returns the steps whose condition ends a loop that never changes a variable of the condition, in order. A loop with
+/// another exit is left out: a jump, RETURN, END or EXIT. So is one whose condition has a flag, a special variable, or
+/// a variable that native code or another thread assigns: these may change at any time. A loop that does nothing is
+/// left out as well: a user may assign the variable that it waits for.
 fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
     if !program.threads().is_empty() {
         return Vec::new();
@@ -222,7 +223,7 @@ fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
         .collect()
 }
 
-/// Returns the node where a loop goes on to turn, if a step decides that by comparing variables.
+/// Returns the node at which another turn of a loop begins, if a step decides that by comparing variables.
 fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     let (condition, turn) = match action {
         Action::While { condition, .. } => (condition, step + 1),
@@ -238,7 +239,7 @@ fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     compares.then(|| flow.first(turn))
 }
 
-/// Returns whether the loop cannot end; `None` if the searches have visited too much to say.
+/// Returns true if the loop cannot end; `None` if the searches have visited too many nodes to decide.
 fn is_stuck(
     program: &Program,
     flow: &Flow,
@@ -270,7 +271,7 @@ fn is_stuck(
     Some(!compared.is_empty() && acts && own.contains(&end) && !returns && !ends && !changes)
 }
 
-/// The steps that no path leads to, in order; what only a constant condition keeps from running is not among them.
+/// The steps that no path leads to, in order, without those that only a constant condition keeps from running.
 pub(super) struct Unreachable(Vec<StepId>);
 
 impl Unreachable {
@@ -283,8 +284,8 @@ impl Unreachable {
         self.0.binary_search(&step).is_err()
     }
 
-    /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
-    /// have more of them than it needs.
+    /// Warns once of each row of unreachable steps that has an effect. Stays silent about routines that nothing calls:
+    /// a program may have some to spare.
     pub(super) fn warn(
         &self,
         context: &LintContext<'_>,
@@ -337,7 +338,7 @@ fn unreachable_warning(
         return None;
     }
     let (first, last) = (*run.first()?, *run.last()?);
-    // What other unreachable steps jump to follows from them.
+    // A step to which other unreachable steps jump is unreachable because of them.
     let mut jumps = sources.get(&start.step).into_iter().flatten();
     if jumps.any(|from| !(first..=last).contains(from)) {
         return None;
@@ -409,9 +410,9 @@ fn branches(flow: &Flow, step: StepId, action: &Action) -> [NodeId; 2] {
     [flow.first(step + 1), other]
 }
 
-/// Warns of parts that GOSUB calls and that do not come back, and of a RETURN that comes back from nowhere (T.I.P. 3.1
-/// §7-6-5). Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a
-/// SUBROUTINE, since another warning speaks of running into that.
+/// Warns of routines that GOSUB calls and that never return, and of a RETURN that is reached without a call (T.I.P. 3.1
+/// §7-6-5). Stays silent about a routine that ends the program by EXIT or loops endlessly, and about a RETURN in a
+/// SUBROUTINE: another warning reports a run into that.
 pub(super) fn routines(
     context: &LintContext<'_>,
     unreachable: &Unreachable,
@@ -440,8 +441,8 @@ fn never_returns(context: &LintContext<'_>, entry: StepId, call: StepId) -> Opti
     )
 }
 
-/// Returns the first RETURN outside a SUBROUTINE that paths from the start come to without being called, as if every
-/// call came back.
+/// Returns the first RETURN outside a SUBROUTINE that a path from the start reaches without a call. Every call is
+/// assumed to return.
 fn lost_return(context: &LintContext<'_>) -> Option<StepId> {
     let own = reached(context.flow, &[0], |node, next| {
         next.extend(node.call.map(|call| call.back));
@@ -459,8 +460,8 @@ fn lost_return(context: &LintContext<'_>) -> Option<StepId> {
     lost.map(|(node, _)| node.step)
 }
 
-/// Returns the first steps of routines that cannot come back, although they do not end the program by EXIT, each with
-/// the first step that calls it.
+/// Returns the first steps of routines that never return and do not end the program by EXIT, each with the first step
+/// that calls it.
 fn one_way(program: &Program, flow: &Flow) -> Vec<(StepId, StepId)> {
     let mut walk = Walk::new(flow);
     let mut entries = BTreeSet::new();
@@ -475,9 +476,8 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<(StepId, StepId)> {
         .collect()
 }
 
-/// Returns whether the routine does something, and then runs to the end of the source or into a call of itself, but
-/// never returns;
-/// `None` if the searches have visited too much to say.
+/// Returns true if a routine acts, and then runs to the end of the source or into a call of itself, but never returns;
+/// `None` if the searches have visited too many nodes to decide.
 fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
     let path = walk.from(&[call.entry], None, Calls::Passed)?;
     let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
@@ -494,12 +494,12 @@ fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -
 /// program. 32 loops over the whole program are still judged.
 const VISITS: usize = 64;
 
-/// The way of a path at a call.
+/// The continuation of a path at a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Calls {
-    /// It goes on behind the call.
+    /// The path goes on after the call.
     Passed,
-    /// It goes on behind the call and in the called routine.
+    /// The path goes on after the call and in the called routine.
     Entered,
 }
 
@@ -523,9 +523,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
-    /// paths end;
-    /// `None` if too many have been visited.
+    /// Returns the nodes that paths from `starts` reach, including `starts`. Paths end at nodes for which `end` returns
+    /// true; `None` if too many have been visited.
     fn from(
         &mut self,
         starts: &[NodeId],
@@ -565,14 +564,14 @@ pub(super) struct GluedJumps<'a> {
 }
 
 impl<'a> GluedJumps<'a> {
-    /// Finds the labels. Silent about a label that something jumps to, and where no label has the rest of its name.
+    /// Finds the labels. Stays silent about a label with a jump to it, and if no label has the rest of its name.
     pub(super) fn of(context: &LintContext<'a>) -> Self {
         let suspects = suspects(context.symbols);
         let meant = suspects.iter().map(|it| it.meant).collect();
         GluedJumps { suspects, meant }
     }
 
-    /// Returns true if one of the jumps was to go to a label. That nothing comes to the label follows from that.
+    /// Returns true if one of the jumps was meant to lead to a label, which is therefore unreachable.
     fn mean(&self, label: &str) -> bool {
         self.meant.contains(label)
     }

@@ -1,4 +1,4 @@
-//! MESSAGE texts that show something else than was meant (T.I.P. 3.1 §7-9-4).
+//! Lints about MESSAGE texts that do not show a value as intended (T.I.P. 3.1 §7-9-4).
 
 use super::LintContext;
 use crate::message::Linting;
@@ -25,7 +25,7 @@ struct Names<'a> {
     /// Number of joints of a leg.
     joints: usize,
     ids: HashMap<&'a str, VariableId>,
-    /// True if something reads each definition.
+    /// For each definition, true if something reads it.
     is_read: Vec<bool>,
 }
 
@@ -97,16 +97,16 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Values that texts were to show and do not.
+/// Values that texts were meant to show and do not.
 #[derive(Default)]
 pub(super) struct MeantValues {
     /// The variables.
     pub(super) names: HashSet<SmolStr>,
-    /// True if a text was to show a value, and nothing says of which variable.
+    /// True if a text was meant to show a value of an unknown variable.
     pub(super) any: bool,
 }
 
-/// Warns of texts, and returns what they were to show.
+/// Warns of texts, and returns the values that they were meant to show.
 pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) -> MeantValues {
     let mut meant = MeantValues::default();
     let mut names = None;
@@ -131,7 +131,7 @@ pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) -> MeantV
     meant
 }
 
-/// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
+/// Warns of values in the form of other languages: `%d`, `$N`, `{N}`, `%N`. A name must be that of a VAR.
 fn foreign_values(
     context: &LintContext<'_>,
     names: &Names<'_>,
@@ -175,25 +175,26 @@ fn foreign_values(
     });
 }
 
-/// `MESSAGE COUNT`: whether a text is the name of a VAR that nothing reads.
+/// Returns true if a text is the name of a VAR that nothing reads: `MESSAGE COUNT`.
 fn is_unread_var(names: &Names<'_>, text: &str) -> bool {
     let id = names.ids.get(&*upper_case(text));
     let is_read = |id: VariableId| names.is_read[DefinitionId::of_variable(id).index()];
     names.is_var(text) && id.is_some_and(|id| !is_read(*id))
 }
 
-/// Returns true if the character may stand before a percent sign that is one: `50%`, `%A%`.
+/// Returns true if the character may stand before a percent sign that is text: `50%`, `%A%`.
 fn is_word_end(char: char) -> bool {
     char.is_ascii_alphanumeric() || char == '_' || char == '%'
 }
 
-/// `d`, `5.2f`: a format of C.
+/// Returns true for a format of C without its percent sign: `d`, `5.2f`.
 fn is_format(text: &str) -> bool {
     let kind = text.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
     matches!(kind, "d" | "i" | "f" | "lf" | "g" | "s" | "u" | "x" | "ld")
 }
 
-/// Returns the whole text in quotes or parentheses. Single words in them are part of a text.
+/// Returns the warning about a text that is in quotes or parentheses as a whole. Quoted words inside a text are left
+/// alone.
 fn quoted(text: &str, location: Span, meant: &mut MeantValues) -> Option<Diagnostic> {
     let mut inside = text.chars().skip(1);
     if text.starts_with('(')
@@ -227,8 +228,7 @@ fn quoted(text: &str, location: Span, meant: &mut MeantValues) -> Option<Diagnos
     Some(Diagnostic::new(Code::QuotedMessage, location, reason).help(help))
 }
 
-/// Warns of everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run
-/// does.
+/// Warns of each `%NAME%` that shows no value. The text is read from left to right, as at runtime.
 fn placeholders(
     context: &LintContext<'_>,
     names: &Names<'_>,
@@ -255,7 +255,7 @@ fn placeholders(
         let end = from + length + 1;
         let next = text[end..].split_once('%').map(|(next, _)| next);
         if next.is_some_and(|next| is_placeholder(names, next)) {
-            // The second sign begins a value: the first one is text.
+            // The second percent sign begins a value, so the first one is text.
             continue;
         }
         from = end;
@@ -271,7 +271,7 @@ fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
     names.is_later(inner) || split(inner).is_some() && fault(names, inner).is_none()
 }
 
-/// Returns the name between percent signs, and what follows it from a point on. Blanks and signs make no name.
+/// Returns the name between percent signs, and the text after its point. A text with blanks or signs is no name.
 fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     let (name, rest) = match inner.split_once('.') {
         Some((name, rest)) => (name, Some(rest)),
@@ -285,15 +285,15 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
 }
 
-/// A text that looks like a placeholder and stands for nothing.
+/// A text that looks like a placeholder and shows no value.
 struct Fault {
     reason: Linting,
     help: Linting,
-    /// The variable that it was to show.
+    /// The variable that it was meant to show.
     meant: Option<SmolStr>,
 }
 
-/// Returns why what looks like a placeholder stands for nothing.
+/// Returns the reason why a text that looks like a placeholder shows no value.
 fn fault(names: &Names<'_>, inner: &str) -> Option<Fault> {
     if names.is_later(inner) {
         return None;
@@ -339,7 +339,7 @@ fn fault(names: &Names<'_>, inner: &str) -> Option<Fault> {
     })
 }
 
-/// Returns the VAR that a name which is not declared was to be.
+/// Returns the VAR that an undeclared name probably means.
 fn meant_variable(names: &Names<'_>, name: &str) -> Option<SmolStr> {
     if let Some(near) = numbered(name).filter(|near| names.is_var(near)) {
         return Some(near);
@@ -349,7 +349,7 @@ fn meant_variable(names: &Names<'_>, name: &str) -> Option<SmolStr> {
     nearest(name, vars.map(|one| one.name.as_str())).map(SmolStr::from)
 }
 
-/// `VAR01` for `%d01%` or `%f01%`, as before version 3.0.
+/// Returns `VAR01` for `%d01%` or `%f01%`, which versions before 3.0 have.
 fn numbered(name: &str) -> Option<SmolStr> {
     let number = name.strip_prefix(|kind: char| "DF".contains(kind))?;
     let is_number = !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit());
@@ -358,7 +358,7 @@ fn numbered(name: &str) -> Option<SmolStr> {
 
 const SIGNS: [char; 2] = ['%', '％'];
 
-/// Warns of the first one that would show a VAR, were it half-width.
+/// Warns of the first full-width placeholder whose half-width form shows a VAR.
 fn wide_placeholder(
     context: &LintContext<'_>,
     names: &Names<'_>,

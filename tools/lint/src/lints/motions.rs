@@ -1,4 +1,4 @@
-//! Lints about motions: commands that another thread overrides, and waits for what nothing moves.
+//! Lints about motions: commands that another thread overrides, and waits for targets that nothing moves.
 
 use super::LintContext;
 use super::flow::{Unreachable, condition};
@@ -13,14 +13,14 @@ use tipc::program::{Action, Argument, Condition, Flag, Mark, Op, Operand, Step, 
 use tipc::source::Span;
 use tipc::syntax::{Statement, StatementKind};
 
-/// The most cycles that are followed.
+/// Maximum number of cycles that are followed.
 const CYCLES: u32 = 1000;
 
 /// Warns of commands that another thread certainly overrides in the same cycle.
 ///
-/// The turns of a program are followed from its start for as long as constants tell what each of them does. At the first
-/// open condition and the first command that waits for the robot, for a key or for native code nothing is certain any
-/// more, and the rest of the program stays silent. So does a command that counts from the one before it.
+/// The turns of a program are followed from its start as long as constants decide what each of them does. They are
+/// followed no further than the first condition that constants do not decide, and the first command that waits for the
+/// robot, a key or native code. A command relative to the one before it is not reported.
 pub(super) fn overridden(context: &LintContext<'_>, found: &mut Diagnostics) {
     if context.program.threads().is_empty() {
         return;
@@ -263,7 +263,7 @@ impl Joints {
         if row.moves != Moves::Target || op == Op::NoCompliance {
             return None;
         }
-        // The position of a joint is a matter of those before it.
+        // The position of a joint depends on the joints before it.
         let of_position = matches!(
             op,
             Op::Ptp | Op::RelPtp | Op::Force | Op::CompliancePosition | Op::RelCompliancePosition
@@ -285,10 +285,11 @@ impl Joints {
     }
 }
 
-/// Warns of waits for what nothing in the program moves or sets: they end immediately, never, or stop the program.
+/// Warns of waits for a target that nothing in the program moves, or a flag that nothing sets: they end immediately,
+/// never, or with an error.
 ///
-/// A wait for ALL stays silent, so does a question that is no loop, and a program with a SPECIAL, whose native code may
-/// move anything.
+/// Stays silent about a wait for ALL, a condition that is not of a loop, and a program with a SPECIAL, whose native
+/// code may move anything.
 pub(super) fn waits(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
     let steps = context.program.steps();
     if steps.iter().any(calls_native_code) {
@@ -296,7 +297,7 @@ pub(super) fn waits(context: &LintContext<'_>, unreachable: &Unreachable, found:
     }
     let mut moved = Vec::new();
     for target in steps.iter().filter_map(moves) {
-        // Robots have few of them, and programs many steps.
+        // Robots have few targets, and programs many steps, so each target is kept once.
         if !moved.contains(&target) {
             moved.push(target);
         }
@@ -326,7 +327,7 @@ fn calls_native_code(step: &Step) -> bool {
     )
 }
 
-/// Returns what a step brings under control, if it moves anything.
+/// Returns the target that a step brings under control, if it moves anything.
 fn moves(step: &Step) -> Option<Target> {
     let Action::Command { op, target, .. } = step.action else {
         return None;
@@ -340,7 +341,7 @@ fn moves(step: &Step) -> Option<Target> {
 
 fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
-    // A program in which nothing moves at all is a sketch.
+    // A program in which nothing moves at all is unfinished.
     let others_move =
         |target: Target| !moved.is_empty() && !moved.iter().any(|moved| meets(*moved, target));
     let rests = |target: Target| is_one(target) && others_move(target);

@@ -1,5 +1,5 @@
-//! Lints about statements by themselves, and the values that they read: variables without a value (T.I.P. 3.1 §5-1),
-//! commands, equations, threads and timers.
+//! Lints about single statements: reads of variables without a value (T.I.P. 3.1 §5-1), commands, equations, threads
+//! and timers.
 
 use super::LintContext;
 use crate::cycles::sampling_set;
@@ -33,7 +33,7 @@ pub(super) fn unassigned(context: &LintContext<'_>, found: &mut Diagnostics) {
 }
 
 impl LintContext<'_> {
-    /// Returns the operand that lacks its value, else the whole statement: NEXT need not name its variable.
+    /// Returns the operand that lacks its value, or the whole statement if that does not name it, as NEXT may.
     fn operand(&self, gap: &Gap) -> Span {
         let Some(statement) = self.statement(gap.step) else {
             return Span::default();
@@ -85,7 +85,7 @@ fn unassigned_warning(program: &Program, gap: &Gap, location: Span) -> Diagnosti
             member: names[0].clone(),
         },
     };
-    let help = match path(program, &gap.way) {
+    let help = match path(program, &gap.path) {
         Some(path) => Linting::NoValueOnPath { path, assign },
         None => Linting::Assign { assign },
     };
@@ -110,9 +110,9 @@ fn path(program: &Program, steps: &[StepId]) -> Option<Stretch> {
     }
 }
 
-/// Warns of commands that do less than they seem to: a pause that is none, `R` before one number of three.
+/// Warns of a SLEEP shorter than a cycle, and of `R` before only one of three numbers.
 pub(super) fn commands(context: &LintContext<'_>, found: &mut Diagnostics) {
-    // Else the robot's standard sampling time may not be the one in force.
+    // Otherwise the robot's standard sampling time may not apply.
     let keeps_period = sampling_set(context.program).is_none();
     for (statement, step) in context.module.steps().zip(context.program.steps()) {
         let StatementKind::Command {
@@ -132,7 +132,7 @@ pub(super) fn commands(context: &LintContext<'_>, found: &mut Diagnostics) {
     }
 }
 
-/// Returns a pause in seconds where milliseconds are meant. 0 is how to say one cycle.
+/// Returns the warning about a SLEEP that was probably meant in seconds. `SLEEP 0` is left out: it means one cycle.
 fn short_sleep(context: &LintContext<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
     let operand = arguments.first()?;
     let OperandKind::Number(time) = operand.kind else {
@@ -145,8 +145,8 @@ fn short_sleep(context: &LintContext<'_>, arguments: &[syntax::Operand]) -> Opti
     })
 }
 
-/// `R` before the first number only. `R 0` in front is how to keep one coordinate, unless 0 follows as well: `A` before another number shows that
-/// the author knows that `R` is for one.
+/// Returns the warning about `R` before the first number only. Stays silent about `R 0`, which keeps one coordinate,
+/// unless 0 follows as well; and if `A` precedes another number, which shows that the author knows the rule.
 fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
     let takes_marks = commands::find(name).is_some_and(|command| match command.form {
         Form::Robot(form) => form.relative && !form.from_target,
@@ -170,8 +170,8 @@ fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnosti
     Some(diagnostic.help(Linting::MarkEach))
 }
 
-/// Warns of `N =+ 1`. The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look
-/// like.
+/// Warns of `N =+ 1`, with a blank before `=` and none after it. `N = +1` and `N=+1` are left out: they are meant as
+/// written.
 pub(super) fn swapped_signs(context: &LintContext<'_>, found: &mut Diagnostics) {
     for statement in context.module.steps() {
         if let StatementKind::Equation(equation) = &statement.kind
@@ -206,8 +206,8 @@ fn swapped(text: &str, equation: &Equation) -> Option<usize> {
     (equation.update.is_none() && is_number && follows && is_apart).then_some(operator.end)
 }
 
-/// Warns of threads that nothing starts or that wait for themselves, timers that nothing starts, and a log file without
-/// lines.
+/// Warns of threads that nothing starts or that wait for themselves, of timers that nothing starts, and of F_MESSAGEs
+/// that never end a line.
 pub(super) fn threads(context: &LintContext<'_>, found: &mut Diagnostics) {
     never_started(context, found);
     wait_for_themselves(context, found);
@@ -277,8 +277,8 @@ fn no_line_end(context: &LintContext<'_>) -> Option<Diagnostic> {
     Some(warning.help(Linting::EndLine))
 }
 
-/// Warns of the first read of each timer that the program reads and never starts. Silent where a variable says which
-/// timer is started.
+/// Warns of the first read of each timer that the program never starts. Stays silent if a variable chooses the timer
+/// that is started.
 fn stopped_timers(context: &LintContext<'_>, found: &mut Diagnostics) {
     let mut started = BTreeSet::new();
     for step in context.program.steps() {

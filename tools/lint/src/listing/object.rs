@@ -1,4 +1,5 @@
-//! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
+//! TIP.OBJ: the record of each step in the memory of the original system, as text (T.I.P. 3.1 §11, layouts in §5 to
+//! §7).
 
 use super::{Constants, write};
 use std::borrow::Cow;
@@ -38,7 +39,7 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
         .collect()
 }
 
-/// State of the listing after the records so far.
+/// A listing under construction.
 struct Listing<'a> {
     variables: Variables<'a>,
     /// Number of MESSAGE texts so far.
@@ -46,7 +47,7 @@ struct Listing<'a> {
 }
 
 impl Listing<'_> {
-    /// Returns the record of a step, whose line of FORMAL.TMP says how it was written.
+    /// Returns the record of a step. `formal` is its line of FORMAL.TMP, with the spelling of its operands.
     fn record(&mut self, formal: &str, action: &Action) -> Record {
         let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();
@@ -64,7 +65,7 @@ impl Listing<'_> {
                 Record::new(name).with(label(thread.first))
             }
             Action::KeyIn { into } => {
-                // Without argument it names none, although VAR_KEY receives the key.
+                // A KEY_IN without an argument has no target in the listing, although VAR_KEY receives the key.
                 let into = last.map(|_| self.variables.scalar(*into, false));
                 Record::new(name).with(into.unwrap_or(Slot::NONE))
             }
@@ -119,7 +120,7 @@ impl Listing<'_> {
                 condition,
                 otherwise,
             } => self.conditional("IF_THEN", condition, *otherwise),
-            // The fourth argument is the cell that the block before writes.
+            // The fourth argument is the cell that the block above writes.
             Action::ElseIf {
                 condition,
                 otherwise,
@@ -182,7 +183,7 @@ impl Listing<'_> {
         record.with(into)
     }
 
-    /// Returns the arguments. A struct is one argument if it was written as one: as `last`.
+    /// Returns the arguments. A struct that was written as one operand, `last`, is one argument.
     fn arguments(&self, arguments: &[Argument], last: &str) -> Vec<Slot> {
         if let Some(whole) = self.variables.written_whole(arguments, last) {
             return vec![whole];
@@ -278,7 +279,7 @@ fn label(step: StepId) -> Slot {
     Slot::new("LABEL", f64::from(step))
 }
 
-/// Returns the name of the update: how the right side meets the left one.
+/// Returns the name of an update operation.
 fn left_name(update: Option<Arithmetic>) -> String {
     match update {
         None => target_name(Target::None),
@@ -383,7 +384,7 @@ impl Slot {
         Slot::new("CONSTANT", value)
     }
 
-    /// Adds a mark, of which `R` alone shows.
+    /// Adds a mark. Only `R` is shown.
     fn marked(self, mark: Mark) -> Self {
         match mark {
             Mark::None | Mark::Absolute => self,

@@ -1,5 +1,5 @@
-//! A program of version 3.1 to edition 3.2: line 1, names that 3.2 reserves, and what the text leaves open, since 3.2
-//! refuses what 3.1 warns of, and shows more values in a MESSAGE.
+//! Migration of a program from version 3.1 to edition 3.2: line 1, and names that 3.2 reserves. Questions are mistakes
+//! that 3.2 refuses and 3.1 only warns of, and texts of MESSAGE in which 3.2 shows further values.
 
 use super::{Note, NoteKind, changed, free_name, like, load, robots};
 use crate::message::Migrating;
@@ -14,10 +14,10 @@ use tipc::source::{Encoding, Span};
 use tipc::symbols::DefinitionKind;
 use tipc::{Loaded, Robot};
 
-/// Text of line 1 afterwards.
+/// The new text of line 1.
 const NEXT: &str = "3.2";
 
-/// Turns a program of version 3.1 into one of 3.2; returns its bytes, and what was changed or is open.
+/// Turns a program of version 3.1 into one of 3.2. Returns its bytes, and the changes and questions.
 pub(super) fn to_3_2(name: &str, bytes: &[u8], encoding: Encoding) -> (Vec<u8>, Vec<Note>) {
     let before = best(name, bytes, encoding);
     let source = &before.source;
@@ -66,7 +66,7 @@ fn best(name: &str, bytes: &[u8], encoding: Encoding) -> Loaded {
     best.unwrap_or_else(|| load(name, bytes, encoding, Robot::default()))
 }
 
-/// Gives names that 3.2 reserves other ones, wherever they are.
+/// Renames names that 3.2 reserves, at all their locations.
 fn rename(before: &Loaded, edits: &mut Vec<Edit>, notes: &mut Vec<Note>) {
     let symbols = &before.symbols;
     let definitions = symbols.definitions();
@@ -106,7 +106,7 @@ fn rename(before: &Loaded, edits: &mut Vec<Edit>, notes: &mut Vec<Note>) {
     }
 }
 
-/// Returns where a MESSAGE shows another text than before.
+/// Returns the locations of MESSAGEs that show another text than before.
 fn shown(before: &Program, after: &Program) -> Vec<((u32, u32), Migrating)> {
     let steps = before.steps().iter().zip(after.steps());
     let differing = steps.filter(|(before, after)| match (&before.action, &after.action) {

@@ -40,9 +40,9 @@ const POSITIONS: &[&str] = &[
     "COMPLIANCE_POSITION",
     "REL_COMPLIANCE_POSITION",
 ];
-/// Commands that put every foot there.
+/// Commands that put every foot under position control.
 const WHOLE_BODY: &[&str] = &["INITIAL_POSTURE", "STAND_UP", "SIT_DOWN"];
-/// Commands that put it under angle control.
+/// Commands that put their target under angle control.
 const ANGLES: &[&str] = &[
     "PTP_ANGLE",
     "REL_PTP_ANGLE",
@@ -72,8 +72,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// Gives labels whose names became words of the language another name, wherever they are. LOOP may be one all the
-    /// same.
+    /// Renames labels whose names became words of the language, at all their locations. LOOP is still allowed.
     pub(super) fn labels(&mut self, pieces: &[Piece]) {
         let upper = |span: Span| self.source.slice(span).to_ascii_uppercase();
         let declared: Vec<Span> = pieces.iter().filter_map(Piece::label).collect();
@@ -149,7 +148,7 @@ impl Migrator<'_> {
         self.change(statement.word, Migrating::Compliance);
     }
 
-    /// `FOR A B TO C` → `FOR A = B TO C`
+    /// Migrates `FOR A B TO C` to `FOR A = B TO C`.
     fn for_statement(&mut self, statement: &Statement) {
         let [_, variable, from, _, ..] = statement.tokens.as_slice() else {
             return;
@@ -170,7 +169,7 @@ impl Migrator<'_> {
         self.change(from.span, Migrating::AssignmentBehindFor { variable });
     }
 
-    /// `A = - B` → `A = -B`
+    /// Migrates `A = - B` to `A = -B`.
     fn sign(&mut self, statement: &Statement) {
         let [_, _, sign, operand, ..] = statement.tokens.as_slice() else {
             return;
@@ -192,7 +191,7 @@ impl Migrator<'_> {
         self.change(statement.word, Migrating::Remark);
     }
 
-    /// Placeholders of today, and what would be read otherwise today.
+    /// Migrates the placeholders of a MESSAGE, and texts that version 3.1 reads in another way.
     fn message(&mut self, statement: &Statement, variables: &Variables) {
         let text = self.slice(statement.text).to_owned();
         let location =
@@ -365,18 +364,18 @@ enum Measure {
     Position,
     /// deg
     Angle,
-    /// The program moves the target in both ways.
+    /// The program moves the target under both kinds of control.
     Both,
 }
 
 /// Targets that the commands of a program move, and how.
 #[derive(Debug, Default)]
 pub(super) struct Moves {
-    /// The words behind commands of [`POSITIONS`].
+    /// The targets of commands of [`POSITIONS`].
     positions: BTreeSet<String>,
-    /// The words behind those of [`ANGLES`].
+    /// The targets of commands of [`ANGLES`].
     angles: BTreeSet<String>,
-    /// There is one of [`WHOLE_BODY`].
+    /// True if the program has a command of [`WHOLE_BODY`].
     whole_body: bool,
 }
 
@@ -395,7 +394,8 @@ impl Moves {
         moves
     }
 
-    /// Returns how the program moves what WAIT_NEAR waits for; where it does not, the kind of the target decides.
+    /// Returns the unit of the tolerance of a WAIT_NEAR by the commands that move its target, or by the kind of the
+    /// target if none does.
     fn measure(&self, target: &str) -> Measure {
         let is_joint = target.starts_with('J');
         let moves = |words: &BTreeSet<String>| match target {

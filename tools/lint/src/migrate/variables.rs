@@ -38,7 +38,7 @@ impl Prefix {
     }
 }
 
-/// Type and number; the number's digits, the shorter one being the smaller one.
+/// Type and number: the length of its digits, then the digits, so that keys sort by number.
 type Key = (Prefix, usize, String);
 
 /// Every old variable of a program.
@@ -46,7 +46,7 @@ type Key = (Prefix, usize, String);
 pub(super) struct Variables {
     /// Spelling of each where it first appears.
     spelling: BTreeMap<Key, String>,
-    /// Names that stand for a variable spelt otherwise.
+    /// Locations with another spelling of a variable, and the spelling to use.
     respelt: Vec<(Span, String)>,
     /// Type names without a number.
     numberless: Vec<Span>,

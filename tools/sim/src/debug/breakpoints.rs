@@ -1,5 +1,5 @@
-//! Breakpoints: where they are, under which conditions, how often they were passed, and log points, which say something
-//! in place of stopping a run.
+//! Breakpoints with their conditions and counts of passes, log points, which print a text instead of stopping a run,
+//! and watches.
 
 use super::expressions::{BreakCondition, LogText, Now};
 use super::stop::{By, Hits, Reason};
@@ -10,7 +10,7 @@ use tip_runtime::program::VariableError;
 use tipc::analysis::assigns;
 use tipc::program::{Action, Program, Variable};
 
-/// Under which circumstances a breakpoint stops a run.
+/// The circumstances under which a breakpoint stops a run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct When<'a> {
     /// A condition of the language, which may also name `CYCLE` and `TIME` (ms).
@@ -36,10 +36,9 @@ struct Breakpoint {
     steps: Vec<u32>,
     asked: Option<BreakCondition>,
     hits: Option<Hits>,
-    /// Text to log in place of stopping the run.
+    /// Text to print instead of stopping the run.
     log_text: Option<LogText>,
-    /// Positions at which it was passed, in order; kept where hits count, and for positions before
-    /// `known`.
+    /// Positions before `known` at which it was passed, in order. Only breakpoints with `hits` need them.
     passes: Vec<u64>,
     known: u64,
 }
@@ -55,7 +54,7 @@ impl Breakpoint {
         self.asked.as_ref().is_none_or(|asked| asked.holds(now))
     }
 
-    /// Returns true if the pass that has just been counted is due to stop.
+    /// Returns true if the run stops at the pass that has just been counted.
     fn is_due(&self, now: &Now<'_>) -> bool {
         match self.hits {
             Some(hits) => self.counts(hits, now.at),
@@ -71,14 +70,14 @@ impl Breakpoint {
     }
 }
 
-/// Knowledge of a position without going there.
+/// Prediction for a position, without a replay of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum HitPrediction {
     /// Nothing stops there.
     No,
-    /// This breakpoint does.
+    /// The breakpoint of this number stops the run.
     Stops(u32),
-    /// Some condition decides.
+    /// A condition decides, for which the run has to be replayed.
     Asks,
 }
 
@@ -119,7 +118,7 @@ impl Breakpoints {
     }
 
     fn remove(&mut self, id: u32) -> bool {
-        // The numbers grow.
+        // The ids are in ascending order.
         let Ok(place) = self.all.binary_search_by_key(&id, |one| one.id) else {
             return false;
         };
@@ -131,7 +130,7 @@ impl Breakpoints {
         true
     }
 
-    /// Returns the first one that stops a run at a position where a step begins.
+    /// Returns the first breakpoint that stops a run at a position where a step begins.
     pub(super) fn stops(&self, step: u32, now: &Now<'_>) -> Option<u32> {
         let mut here = self.at(step).filter(|one| one.log_text.is_none());
         here.find(|one| one.is_due(now)).map(|one| one.id)
@@ -149,14 +148,14 @@ impl Breakpoints {
         self.all.iter().any(|one| one.log_text.is_some())
     }
 
-    /// Lets one say something in place of stopping.
+    /// Makes a breakpoint a log point.
     pub(super) fn set_log_text(&mut self, id: u32, words: LogText) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
             one.log_text = Some(words);
         }
     }
 
-    /// Returns the answer of [`stops`](Self::stops), as far as it is known without the run.
+    /// Predicts the result of [`stops`](Self::stops) without the run.
     pub(super) fn predict(&self, step: u32, at: u64) -> HitPrediction {
         let mut known = HitPrediction::No;
         for one in self.at(step).filter(|one| one.log_text.is_none()) {
@@ -183,7 +182,8 @@ impl Breakpoints {
         }
     }
 
-    /// Counts passes up to a position as far as that needs no run; returns the first position that needs one, if any.
+    /// Counts passes up to a position, as far as that needs no replay. Returns the first position that needs one, if
+    /// any.
     pub(super) fn count_known(&mut self, history: &History, until: u64) -> Option<u64> {
         for one in &mut self.all {
             if one.hits.is_some() && one.asked.is_none() {
@@ -198,7 +198,7 @@ impl Breakpoints {
         (known < until).then_some(known)
     }
 
-    /// Forgets what was counted from a position on.
+    /// Removes the counts from a position on.
     pub(super) fn truncate(&mut self, at: u64) {
         for one in &mut self.all {
             one.passes.retain(|pass| *pass < at);
@@ -211,7 +211,7 @@ impl Debugger {
     /// Places a breakpoint before the first step of a line, or of the next line that has one.
     ///
     /// # Errors
-    /// There is no such line, or what it asks is wrong.
+    /// There is no such line, or its condition or its hits are wrong.
     pub fn break_at_line(&mut self, line: u32, when: &When<'_>) -> Result<Placed, DebugError> {
         self.break_at(line, 1, when)
     }
@@ -233,7 +233,7 @@ impl Debugger {
     /// Places a breakpoint where a routine or label is, or at every step that begins with this word, such as `PTP`.
     ///
     /// # Errors
-    /// Nothing has this name, or what it asks is wrong.
+    /// Nothing has this name, or the condition or the hits are wrong.
     pub fn break_at_name(&mut self, name: &str, when: &When<'_>) -> Result<Placed, DebugError> {
         let word = name.trim().trim_end_matches(':').trim_end();
         let is_it = |other: &str| other.eq_ignore_ascii_case(word);
@@ -321,8 +321,7 @@ impl Debugger {
         Ok(placed)
     }
 
-    /// Takes the output of log points since the last call, each with its position. Of very much
-    /// only the last is kept.
+    /// Takes the output of log points since the last call, each text with its position. Only the last texts are kept.
     pub fn logged(&mut self) -> Vec<(u64, String)> {
         std::mem::take(&mut self.logged)
     }
@@ -358,8 +357,8 @@ struct Watch {
 pub(super) struct Watches(Vec<Watch>);
 
 impl Watches {
-    /// Returns the variable that a step of a cycle assigns, if the watch `only`, or any, is on it, and the thread of the
-    /// step. Only KEY_IN may assign nothing: it waits.
+    /// Returns the variable that a step of a cycle assigns and the thread of the step, if the watch `only`, or any
+    /// watch, is on it. A KEY_IN that still waits assigns nothing.
     pub(super) fn assigned(
         &self,
         at: u64,
@@ -387,8 +386,7 @@ impl Watches {
         })
     }
 
-    /// Returns the variable that events assign before the step of a cycle, if the watch `only`, or
-    /// any, is on it.
+    /// Returns the variable that events assign before the step of a cycle, if the watch `only`, or any watch, is on it.
     pub(super) fn set(&self, at: u64, only: Option<u32>, events: &Events) -> Option<Reason> {
         if self.0.is_empty() {
             return None;
@@ -414,7 +412,7 @@ impl Watches {
 }
 
 impl Debugger {
-    /// Stops where a variable, or a member such as `P.X`, is assigned; gives the number of the watch.
+    /// Adds a watch that stops where a variable, or a member such as `P.X`, is assigned. Returns its number.
     ///
     /// # Errors
     /// The program has no such variable.
@@ -442,7 +440,7 @@ impl Debugger {
         self.watches.0.len() < before
     }
 
-    /// Takes all watches away.
+    /// Removes all watches.
     pub fn unwatch_all(&mut self) {
         self.watches.0.clear();
     }

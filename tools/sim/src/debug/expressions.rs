@@ -40,7 +40,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// A number or a condition that is asked for.
+/// A number or a condition to evaluate.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Expression {
     Number(ScalarExpression),
@@ -79,7 +79,7 @@ impl BreakCondition {
         &self.text
     }
 
-    /// Returns true if it holds at a position; it does not where it reads what is not assigned.
+    /// Returns true if it holds at a position. It does not hold if it reads an unassigned variable.
     pub(super) fn holds(&self, now: &Now<'_>) -> bool {
         now.holds(self.condition).unwrap_or(false)
     }
@@ -166,7 +166,7 @@ impl Now<'_> {
 }
 
 impl Debugger {
-    /// Evaluates a condition, or the right side of an equation, at the present position.
+    /// Evaluates a condition, or the right side of an equation, at this position.
     ///
     /// # Errors
     /// The text is neither, or its value cannot be calculated.
@@ -175,8 +175,8 @@ impl Debugger {
         Ok(expression.evaluate(&self.here())?)
     }
 
-    /// Reads an assignment as a debugger's user writes it: `N = 5`, `P.X=-1.5`, or with whatever an equation has on
-    /// its right; `None` for another text, or a value that cannot be calculated.
+    /// Reads an assignment that a user has typed, such as `N = 5` or `P.X=-1.5`, with any right side of an equation.
+    /// Returns `None` for another text, or if the value cannot be calculated.
     pub fn assignment(&self, text: &str) -> Option<Event> {
         let (name, value) = text.split_once('=')?;
         let name = name.trim().to_ascii_uppercase();
@@ -327,7 +327,7 @@ impl Debugger {
         self.run().step_of(self.thread())
     }
 
-    /// Its line, from 1.
+    /// Returns the line of that step, from 1.
     pub fn line(&self) -> u32 {
         self.run().program().line(self.step())
     }
@@ -388,14 +388,13 @@ impl Debugger {
         label.map(|label| label.name.clone())
     }
 
-    /// Returns the cycle and the text of each message up to here. Of very many only the last are
-    /// kept.
+    /// Returns the cycle and the text of each message up to this position. Only the last messages are kept.
     pub fn messages(&self) -> &[(u64, String)] {
         let until = self.said.partition_point(|(at, _)| *at < self.now());
         self.said.get(..until).unwrap_or_default()
     }
 
-    /// Takes the messages that the program said for the first time since the last call.
+    /// Takes the messages since the last call, except those of replayed cycles.
     pub fn take_messages(&mut self) -> Vec<(u64, String)> {
         let messages = self.said.get(self.taken..).unwrap_or_default().to_vec();
         self.taken = self.said.len();

@@ -1,5 +1,5 @@
-//! A movement under way, in portions: forwards cycle by cycle, over what is known and on; backwards by a search through what
-//! is kept of every cycle, which runs a stretch again only where a condition asks it to.
+//! The execution of a movement, in portions. Forwards, it runs cycle by cycle, through known cycles and beyond.
+//! Backwards, it searches the records of the cycles, and replays a segment only if a condition has to be evaluated.
 
 use super::breakpoints::HitPrediction;
 use super::expressions::Now;
@@ -17,11 +17,11 @@ use tipc::program::{Action, Program, Thread};
 pub enum Work {
     /// There is more to do.
     Going(Progress),
-    /// The debugger stands.
+    /// The movement has ended.
     Stopped(Stop),
 }
 
-/// A movement, from where it began.
+/// A movement under way.
 #[derive(Debug)]
 pub(super) struct PendingCommand {
     pub(super) goal: Goal,
@@ -39,7 +39,7 @@ enum Phase {
 }
 
 impl Debugger {
-    /// Begins a movement, in the place of one that is under way; [`work`](Self::work) does it.
+    /// Begins a movement and drops one that is under way. [`work`](Self::work) executes it.
     pub fn start(&mut self, movement: Move) {
         self.pending = None;
         let origin = Origin {
@@ -72,7 +72,7 @@ impl Debugger {
         });
     }
 
-    /// Returns the end of a movement that needs no work.
+    /// Returns the stop of a movement that needs no work.
     fn immediate_stop(&self, goal: Goal, is_back: bool) -> Option<Stop> {
         let at = self.now();
         match goal {
@@ -90,7 +90,7 @@ impl Debugger {
         }
     }
 
-    /// Returns a stop that is about the selected thread, or the one that failed.
+    /// Returns a stop for the selected thread, or for the thread that failed.
     fn stop_for(&self, reason: Reason, at: u64) -> Stop {
         let thread = match &reason {
             Reason::Fault(_) => self.history.cycle(at.saturating_sub(1)).last(),
@@ -108,7 +108,7 @@ impl Debugger {
             .any(|it| program.line(it.step) == line)
     }
 
-    /// Goes on with the movement for at most so many cycles. While it searches backwards, the debugger stands where it was.
+    /// Continues the movement for at most `cycles` cycles. During a backward search the position does not change.
     pub fn work(&mut self, cycles: u64) -> Work {
         let Some(mut pending) = self.pending.take() else {
             return Work::Stopped(self.stop.clone());
@@ -154,7 +154,8 @@ impl Debugger {
         self.pending.is_some()
     }
 
-    /// Gives a movement up: forwards the debugger stands where it has come to, backwards where it was.
+    /// Cancels a movement. The debugger stays at the position that a forward movement has reached, or at the start of a
+    /// backward one.
     pub fn cancel(&mut self) -> &Stop {
         if self.pending.take().is_some() {
             self.stop = Stop {
@@ -199,7 +200,7 @@ impl PendingCommand {
 }
 
 impl Debugger {
-    /// Runs on until something stops it, or no cycles are left.
+    /// Runs until something stops it, or no cycles are left.
     pub(super) fn run_on(&mut self, goal: Goal, origin: &Origin, left: &mut u64) -> Option<Stop> {
         while *left > 0 {
             *left -= 1;
@@ -213,7 +214,7 @@ impl Debugger {
         None
     }
 
-    /// Returns the stop of a run that has just come to this position.
+    /// Returns the reason to stop at this position, if there is one, after a forward movement.
     fn stop_here(&self, goal: Goal, origin: &Origin) -> Option<Stop> {
         let at = self.now();
         if let Some(end) = self.end_at(at) {
@@ -264,7 +265,7 @@ impl Debugger {
         }
     }
 
-    /// Runs one cycle. What happens before the next one has happened then.
+    /// Runs one cycle, and the events before the next one.
     fn advance(&mut self) {
         if self.now() < self.history.len() {
             self.timeline.advance(None);
@@ -319,7 +320,7 @@ impl Debugger {
         }
     }
 
-    /// Goes to a position that is known.
+    /// Goes to a known position.
     pub(super) fn seek(&mut self, to: u64) {
         let now = self.now();
         if let Some((at, _)) = self.timeline.before(to)
@@ -382,29 +383,29 @@ impl Sink for RunListener<'_> {
     }
 }
 
-/// A search under way.
+/// A backward search under way.
 #[derive(Debug)]
 pub(super) struct BackwardSearch {
     /// Positions from here on are searched.
     below: u64,
-    /// Runs stretches again; there is one as soon as one is needed.
+    /// A copy of the run that replays segments. It is made when it is first needed.
     scout: Option<Run>,
     segment: Option<ReplaySegment>,
 }
 
-/// From a mark on, positions where conditions decide.
+/// The positions after a checkpoint at which conditions decide.
 #[derive(Debug)]
 struct ReplaySegment {
     from: u64,
-    /// Position of the scout.
+    /// Position of the replay.
     at: u64,
     /// Positions that are still to be checked, in order.
     asks: std::vec::IntoIter<u64>,
-    /// The last one that stops.
+    /// The stop at the last position that stops, so far.
     best: Option<Stop>,
 }
 
-/// Knowledge of a position before the origin.
+/// Prediction for a position before the origin.
 enum Found {
     Nothing,
     /// The reason, and the thread that it is about.
@@ -430,7 +431,7 @@ impl BackwardSearch {
 }
 
 impl Debugger {
-    /// Searches on until something is found, or no cycles are left.
+    /// Continues the search until a stop is found, or no cycles are left.
     pub(super) fn look_back(
         &self,
         back: &mut BackwardSearch,
@@ -467,7 +468,7 @@ impl Debugger {
         }
     }
 
-    /// Looks through the positions from a mark on, the last one first, up to one that stops for certain.
+    /// Searches the positions after a checkpoint, the last one first, up to one that stops for certain.
     fn scan(&self, from: u64, last: u64, goal: Goal, origin: &Origin) -> ReplaySegment {
         let mut asks = Vec::new();
         let mut best = None;
@@ -537,7 +538,7 @@ impl Debugger {
         assigned.or_else(set)
     }
 
-    /// Runs a segment again up to its last condition; returns true if it came there.
+    /// Replays a segment up to its last condition. Returns true if it came there.
     fn run_segment(&self, segment: &mut ReplaySegment, scout: &mut Run, left: &mut u64) -> bool {
         while let Some(to) = segment.asks.as_slice().first().copied() {
             while segment.at < to {
@@ -568,7 +569,7 @@ impl Debugger {
 }
 
 impl ReplaySegment {
-    /// Keeps the later one of two stops; one that is certain is before all that are asked for.
+    /// Keeps the later one of two stops. A certain stop is before all positions with conditions.
     fn found(&mut self, stop: Stop) {
         if self.best.as_ref().is_none_or(|best| best.at < stop.at) {
             self.best = Some(stop);
@@ -609,7 +610,7 @@ impl HitCounting {
 }
 
 impl Debugger {
-    /// Goes on counting; returns true when all is counted.
+    /// Continues to count. Returns true when it has finished.
     pub(super) fn count_hits(&mut self, counting: &mut HitCounting, left: &mut u64) -> bool {
         loop {
             let now = Now {

@@ -28,13 +28,13 @@ pub struct Stop {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
-    /// At the beginning of the run.
+    /// The beginning of the run is reached.
     Start,
-    /// The steps that were asked for are done.
+    /// The requested steps are done.
     Step,
-    /// The line or cycle that it was sent to is reached.
+    /// The requested line or cycle is reached.
     There,
-    /// At the breakpoint of this number.
+    /// The breakpoint of this number is reached.
     Breakpoint(u32),
     /// A variable is assigned. Forwards, it has just been; backwards, it is about to be.
     Watch {
@@ -49,9 +49,9 @@ pub enum Reason {
     Fault(Emergency),
     /// The program is over.
     Ended(End),
-    /// The run was interrupted.
+    /// The movement was interrupted.
     Interrupted,
-    /// An event was added.
+    /// The user made a change.
     Change,
 }
 
@@ -69,21 +69,21 @@ pub enum By {
 pub struct Progress {
     /// Cycles that are done or searched.
     pub done: u64,
-    /// Number of all cycles; none if it is not known.
+    /// Number of all cycles; `None` if it is not known.
     pub of: Option<u64>,
 }
 
-/// A movement through a run. Every one but those to a cycle, those of a cycle and [`SetBack`](Move::SetBack) stops at breakpoints,
-/// watches and falls on its path.
+/// A movement through a run. It stops at breakpoints, watches and falls on its path, except for movements by a cycle or
+/// to a cycle, and [`SetBack`](Move::SetBack).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Move {
-    /// One control cycle.
+    /// Goes forward one control cycle.
     Cycle,
     /// Steps to the next step, into routines.
     Step,
-    /// Steps to the next step, over what GOSUB and CALL do.
+    /// Steps to the next step, over the routines of GOSUB and CALL.
     Over,
-    /// Out of a routine, to the step after its call.
+    /// Goes on to the step after the call of the present routine.
     Out,
     /// Goes on until something stops it.
     Continue,
@@ -91,19 +91,19 @@ pub enum Move {
     Line(u32),
     /// Goes to a cycle, known or not.
     To(u64),
-    /// Back one control cycle.
+    /// Goes back one control cycle.
     CycleBack,
-    /// Back to the beginning of this step or, from there, of the one before; into routines.
+    /// Goes back to the beginning of this step or, from there, of the one before, into routines.
     StepBack,
-    /// Goes back over what GOSUB and CALL did.
+    /// Goes back as [`StepBack`](Move::StepBack) does, but over the routines of GOSUB and CALL.
     OverBack,
-    /// Back to the call of a routine.
+    /// Goes back to the call of the present routine.
     OutBack,
-    /// Back until something stops it.
+    /// Goes back until something stops it.
     ReverseContinue,
-    /// Back to a step of a line.
+    /// Goes back to a step of a line.
     LineBack(u32),
-    /// Back to who last set what the watch of this number is on, past everything else.
+    /// Goes back to the last assignment to the variable of the watch of this number, past everything else.
     SetBack(u32),
 }
 
@@ -144,7 +144,7 @@ pub(super) enum Goal {
     Line(u32),
     /// An assignment that this watch is on.
     Set(u32),
-    /// Nothing of its own.
+    /// None: only other reasons stop the movement.
     Nowhere,
 }
 
@@ -171,7 +171,7 @@ impl Goal {
         }
     }
 
-    /// Returns the reason to stop for a debugger that comes there.
+    /// Returns the reason of a stop at the goal.
     pub(super) fn reason(self) -> Reason {
         match self {
             Goal::Step | Goal::Over | Goal::Out => Reason::Step,
@@ -179,12 +179,12 @@ impl Goal {
         }
     }
 
-    /// Returns true if breakpoints and the like count on the path to it.
+    /// Returns true if breakpoints, watches and falls stop the movement to it.
     pub(super) fn stops_early(self) -> bool {
         !matches!(self, Goal::At(_) | Goal::Set(_))
     }
 
-    /// Returns true if a run that has come forward from an origin is there.
+    /// Returns true if a run has reached the goal in a forward movement from an origin.
     pub(super) fn is_reached(self, from: &Origin, debugger: &Debugger) -> bool {
         let (history, now) = (&debugger.history, debugger.now());
         let Some(first) = history.first(now, from.thread) else {
@@ -202,7 +202,7 @@ impl Goal {
         }
     }
 
-    /// Returns true if a position before an origin is there.
+    /// Returns true if a position before an origin meets the goal.
     pub(super) fn is_met(
         self,
         from: &Origin,
@@ -227,11 +227,11 @@ impl Goal {
 /// 5`, `>= 5`, `% 5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hits {
-    /// This one alone.
+    /// This pass alone.
     Only(u64),
-    /// This one and those after it.
+    /// This pass and all after it.
     From(u64),
-    /// Every so many.
+    /// Every pass whose number is a multiple of this.
     Each(u64),
 }
 
@@ -246,7 +246,7 @@ impl Hits {
     }
 }
 
-/// A text that does not say which passes.
+/// A text that is not a choice of passes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HitsError(pub(super) String);
 
@@ -296,9 +296,9 @@ pub enum DebugError {
     NoVariable(String, VariableError),
     /// The text is not a condition or number of the program.
     Wrong(Box<Diagnostic>),
-    /// The value cannot be calculated, or a variable in it is not assigned.
+    /// It cannot be calculated, or reads an unassigned variable.
     Fault(Fault),
-    /// The text does not say how many hits.
+    /// The text is not a choice of passes.
     Hits(HitsError),
     /// The change would discard this number of cycles after the position.
     WouldDiscard(u64),

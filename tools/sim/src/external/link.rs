@@ -16,19 +16,19 @@ use tip_runtime::printable::Printable;
 const GRACE: Duration = Duration::from_secs(2);
 /// Time that a process which has closed its output has to end.
 const CLOSE_TIMEOUT: Duration = Duration::from_millis(500);
-/// The longest line of standard error that is passed on in one piece: bytes.
+/// Maximum length of a line of standard error that is passed on in one piece, bytes.
 const SAID: u64 = 4096;
 
 /// A process that answers line by line.
 pub(super) struct Link {
     process: ProcessGroup,
-    /// None when it has been told the last line.
+    /// `None` after the last line.
     lines: Option<Sender<Line>>,
     answers: Receiver<Received>,
     /// Disconnected when standard error has been read to its end.
     said: Receiver<()>,
     asked: Instant,
-    /// Nothing more is to be expected of it.
+    /// True if the process gets no time to end by itself.
     skips_grace: bool,
 }
 
@@ -97,7 +97,7 @@ impl Link {
     }
 
     fn send(&mut self, text: String, is_answered: bool) {
-        // A process that is gone shows when its answer is missing.
+        // If the process has ended, the missing answer shows that.
         let lines = self.lines.iter();
         lines.for_each(|lines| {
             drop(lines.send(Line {
@@ -107,8 +107,7 @@ impl Link {
         });
     }
 
-    /// Waits for the answer to the last request, but not longer than this; it is too late after
-    /// `within`.
+    /// Waits up to `longest` for the answer to the last request. The answer is too late `within` after the request.
     pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Received {
         let left = within.saturating_sub(self.asked.elapsed());
         match self.answers.recv_timeout(left.min(longest)) {
@@ -129,14 +128,15 @@ impl Link {
         }
     }
 
-    /// Leaves the process no time to end by itself.
+    /// Gives the process no time to end by itself.
     pub(super) fn skip_grace(&mut self) {
         self.skips_grace = true;
     }
 }
 
 impl Drop for Link {
-    /// Says good-bye, closes its input and waits for its end and that of what it started, which comes in any case.
+    /// Sends the last line, closes the input and waits for the end of the process and of those that it started. They
+    /// are killed if they do not end in time.
     fn drop(&mut self) {
         self.notify(Request::Bye.line());
         self.lines = None;
@@ -146,7 +146,8 @@ impl Drop for Link {
             GRACE
         };
         self.process.end(grace);
-        // What it said last. Others may hold its pipe open.
+        // Waits for the last lines of standard error. The wait is limited, since other processes may hold the pipe
+        // open.
         let _ = self.said.recv_timeout(CLOSE_TIMEOUT);
     }
 }
@@ -160,7 +161,7 @@ fn exchange_lines(
 ) {
     let mut output = BufReader::new(output);
     for line in lines {
-        // A process that does not read any more shows when its answer is missing.
+        // If the process does not read any more, the missing answer shows that.
         let _ = input
             .write_all(line.text.as_bytes())
             .and_then(|()| input.flush());

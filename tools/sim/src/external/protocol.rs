@@ -1,4 +1,4 @@
-//! The protocol of external plants: JSON lines to the process, JSON lines from it, and what may be wrong with an answer.
+//! The protocol of external plants: JSON lines to and from the process, and the errors of answers.
 
 use crate::message::Simulating;
 use crate::model::RobotDescription;
@@ -58,7 +58,7 @@ pub(super) enum Request<'a> {
 impl Request<'_> {
     /// Returns the line with its end.
     pub(super) fn line(&self) -> String {
-        // Only maps whose keys are no strings cannot be written as JSON.
+        // Serialisation fails only for maps with keys that are no strings, and there are none.
         serde_json::to_string(self).unwrap_or_default() + "\n"
     }
 }
@@ -120,7 +120,7 @@ pub(super) fn read(
     let read = serde_path_to_error::deserialize(&mut json);
     let answer: Answer = read.map_err(|error| {
         let path = error.path().to_string();
-        // JSON cannot write these numbers; libraries write words in their place. An answer holds no text.
+        // JSON has no such numbers, but some libraries write these words. Answers hold no other text.
         let is_not_finite = ["NaN", "Infinity"].iter().any(|word| line.contains(word));
         if error.inner().is_syntax() && is_not_finite {
             PlantError::NotFinite { to, path }
@@ -209,7 +209,7 @@ pub(super) struct Layout {
     /// True if it senses and gives torques.
     has_torques: bool,
     has_slider: bool,
-    /// One on each leg if it stands on them.
+    /// Number of soles: one on each leg of a robot that walks.
     soles: usize,
 }
 
@@ -235,7 +235,7 @@ impl Layout {
         }
     }
 
-    /// Returns the inputs that read what events set.
+    /// Returns the inputs whose readings come from events.
     pub(super) fn inputs(&self) -> impl Iterator<Item = Port> {
         let soles = u8::try_from(self.soles).unwrap_or(u8::MAX);
         let knobs = Port::Knob(1).named();
@@ -326,7 +326,7 @@ pub enum PlantError {
     TooLong { to: Head },
     /// An answer is not UTF-8.
     NotText { to: Head },
-    /// An answer that is not as the protocol says.
+    /// An answer breaks the protocol.
     Wrong {
         to: Head,
         line: String,

@@ -407,7 +407,7 @@ fn by_place(places: &[[f64; 3]]) -> Option<Vec<usize>> {
     let left_first = |a: &usize, b: &usize| x(*a).total_cmp(&x(*b));
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|a, b| y(*b).total_cmp(&y(*a)).then(left_first(a, b)));
-    // One leg on each side makes a pair, however much one is ahead of the other.
+    // One leg on each side makes a pair, even if one is far ahead of the other.
     let is_pair = |pair: &[usize]| match pair {
         [one, other] => {
             let [left, right] = [x(*one).min(x(*other)), x(*one).max(x(*other))];
@@ -515,7 +515,7 @@ fn foot<'a>(
     let tips = links
         .iter()
         .flat_map(|(link, pose)| link.tips.iter().map(move |tip| (*link, pose, tip)));
-    // Of several of a kind the last one counts.
+    // If several tips are of the same kind, the last one counts.
     if let Some((link, pose, tip)) = tips.max_by_key(|(_, _, tip)| tip.kind) {
         let foot = Foot {
             link: link.name.clone(),

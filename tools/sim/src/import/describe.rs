@@ -2,6 +2,7 @@
 //! like a placeholder.
 
 use super::chains::{self, Chain, ChainJoint};
+use super::names::listed;
 use super::rigid_links::{self, Weight};
 use super::stand::Postures;
 use super::transform::Transform;
@@ -243,7 +244,7 @@ fn shape_of(shape: &Shape) -> String {
         Form::Sphere { radius } => format!("sphere = {}", place(radius)),
     };
     let at = shape.at.map(place);
-    // Turns have no dust either.
+    // Rounding errors are removed from rotations as well.
     let turned = rpy_of_axes(shape.axes).map(|turn| place(turn.to_degrees()));
     for (key, value) in [("at", at), ("turned", turned)] {
         if value != [0.0; 3] {
@@ -427,12 +428,12 @@ fn is_placeholder_velocity(velocity: f64) -> bool {
 fn placeholders(legs: &[Chain<'_>], base: &[(&Link, Transform)], reach: f64) -> Vec<Importing> {
     let joints = |is: fn(&ChainJoint<'_>) -> bool| {
         let all = legs.iter().flat_map(|leg| &leg.joints);
-        some(all.filter(|turning| is(turning)).map(|it| &it.joint.name))
+        listed(all.filter(|turning| is(turning)).map(|it| &it.joint.name))
     };
     let links = |is: &dyn Fn(&Link) -> bool| {
         let all = legs.iter().flat_map(|leg| &leg.joints);
         let all = base.iter().chain(all.flat_map(|turning| &turning.links));
-        some(all.filter(|(link, _)| is(link)).map(|(link, _)| &link.name))
+        listed(all.filter(|(link, _)| is(link)).map(|(link, _)| &link.name))
     };
     let stating = |stated: Stated| {
         let all = legs.iter().flat_map(|leg| &leg.joints);
@@ -466,12 +467,6 @@ fn placeholders(legs: &[Chain<'_>], base: &[(&Link, Transform)], reach: f64) -> 
 
 fn is_turn([lower, upper]: [f64; 2]) -> bool {
     lower <= -HALF_TURN && upper >= HALF_TURN
-}
-
-/// Returns the names, if there are any.
-fn some<'a>(names: impl Iterator<Item = &'a String>) -> Option<List> {
-    let names: Vec<String> = names.map(|name| printed(name)).collect();
-    (!names.is_empty()).then_some(List(names))
 }
 
 /// Rounds a measure to a millionth: conversions of units and frames leave noise beyond that.

@@ -17,7 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use tipc::message::list::List;
 
-/// The custom text that files of this project's export have, and what it says.
+/// Name and value of the custom text in files of this project's export.
 pub(crate) const EXPORTED: (&str, &str) = ("tip", "x right, y forward");
 /// The class of shapes in files of this project's export.
 pub(crate) const SHAPE_CLASS: &str = "tip_shape";

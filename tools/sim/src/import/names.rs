@@ -1,4 +1,4 @@
-//! Words in the names of links and joints, and names of legs that contradict their places.
+//! Names of links and joints: lists of them, the words in them, and names of legs that contradict their places.
 
 use super::transform::{Forward, Transform, cross, dot};
 use super::xml::printed;
@@ -7,6 +7,13 @@ use tipc::message::list::List;
 
 /// Share of the greatest distance between first joints below which a side is undecided.
 const NEAR: f64 = 0.01;
+
+/// Returns printable names, each once, if there are any. Equal names have to be neighbours.
+pub(super) fn listed<'a>(names: impl Iterator<Item = &'a String>) -> Option<List> {
+    let mut names: Vec<String> = names.map(|name| printed(name)).collect();
+    names.dedup();
+    (!names.is_empty()).then_some(List(names))
+}
 
 /// Returns the words of a name in lower case, whatever separates them: `FL_footSite1` has `fl`, `foot`
 /// and `site`.

@@ -2,15 +2,13 @@
 //! slider that carries a floor.
 
 use super::chains::Chain;
+use super::names::listed;
 use super::transform::{Transform, point_tensor};
-use super::tree::LinkTree;
-use super::tree::{Geometry, Joint, JointType, Link, Piece};
-use super::xml::printed;
+use super::tree::{Geometry, Joint, JointType, Link, LinkTree, Piece};
 use crate::message::Importing;
 use crate::urdf::frame::{self, FLOOR};
 use tip_runtime::model::{InertialProperties, Point, Range, Slider};
 use tipc::description::{Form, Shape};
-use tipc::message::list::List;
 
 /// Greatest relative deviation of an axis along x, y or z.
 const SLIGHT: f64 = 1e-9;
@@ -226,20 +224,13 @@ pub(super) fn dropped(
     let impossible = shapes.filter(|(_, shape)| !is_possible(shape));
     let of_base = !has_body && !self::shapes(base, HERE).is_empty();
     [
-        some(meshes.map(|(link, _)| *link)).map(|links| Importing::Meshes { links }),
-        some(impossible.map(|(link, _)| link)).map(|links| Importing::NoSize { links }),
+        listed(meshes.map(|(link, _)| &link.name)).map(|links| Importing::Meshes { links }),
+        listed(impossible.map(|(link, _)| &link.name)).map(|links| Importing::NoSize { links }),
         of_base.then_some(Importing::BaseShapes),
     ]
     .into_iter()
     .flatten()
     .collect()
-}
-
-/// Returns the names of links, each once, if there are any.
-fn some<'a>(links: impl Iterator<Item = &'a Link>) -> Option<List> {
-    let mut names: Vec<String> = links.map(|link| printed(&link.name)).collect();
-    names.dedup();
-    (!names.is_empty()).then_some(List(names))
 }
 
 /// Returns the box around shapes, at least one of which has to be a block: a body is hardly made of

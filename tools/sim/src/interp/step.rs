@@ -20,15 +20,15 @@ pub(super) struct Outcome {
 
 /// The step that comes next.
 enum Then {
-    /// Goes to another step, "taken".
+    /// Another step, reached "taken".
     To(StepId),
-    /// Goes to another step, "not taken".
+    /// Another step, reached "not taken".
     Otherwise(StepId),
-    /// Nowhere: it runs again.
+    /// The same step: it waits.
     Wait,
-    /// The thread is over.
+    /// None: the thread is over.
     EndThread,
-    /// The program is over.
+    /// None: the program is over.
     Finish(End),
 }
 
@@ -44,7 +44,7 @@ impl Then {
 }
 
 impl Interpreter {
-    /// Does everything that can fail, with no effect on the program's state.
+    /// Calculates the result of the step, without an effect on the program's state. Everything that can fail is here.
     pub(super) fn outcome(&self, cx: &mut dyn Context) -> Result<Outcome, Fault> {
         let step = self.program.steps().get(self.at() as usize);
         let next = self.at() + 1;
@@ -248,7 +248,7 @@ impl Interpreter {
         }
     }
 
-    /// The end of a thread; the main program has nothing to return from.
+    /// Returns the end of a thread. The main program fails, since it has nothing to return from.
     fn thread_end(&self) -> Result<Then, Fault> {
         match self.selected {
             0 => Err(Fault::InvalidReturn),

@@ -1,4 +1,4 @@
-//! Runs on request: inputs come in, one run a line, and one line goes out for each.
+//! Runs on request: each input line describes a run, and is answered by a line.
 
 use super::{Compared, Divergence, Lockstep, LockstepObserver};
 use crate::event::Inputs;
@@ -21,12 +21,12 @@ pub enum Answer {
         end: RunEnd,
         /// The coverage points that no run before reached, by their indices in [`CoveragePoints::all`](tip_lint::coverage_points::CoveragePoints::all).
         new: Vec<usize>,
-        /// Some cycles in which a step had an edge that no run went along yet: where another input may change the path.
+        /// Some cycles in which a step had an edge that no run has taken: another input may change the path there.
         chances: Vec<u64>,
     },
     /// The engines differ.
     Diverged(Divergence),
-    /// The robot lacks something that was asked for.
+    /// The robot lacks a requested input.
     Refused(String),
 }
 
@@ -41,7 +41,7 @@ pub enum RunEnd {
     Emergency,
 }
 
-/// A program in both forms, and what its runs have reached so far.
+/// A program in both forms, and the coverage points that its runs have reached.
 #[derive(Clone, Debug)]
 pub struct Session {
     lockstep: Lockstep,
@@ -101,7 +101,7 @@ pub fn serve(
     Ok(())
 }
 
-/// The most chances that are reported of a run.
+/// Maximum number of chances that are reported for a run.
 const CHANCES: usize = 64;
 
 /// The coverage points of a program that some run reached.
@@ -153,7 +153,7 @@ impl ReachedPoints {
         )
     }
 
-    /// Keeps a cycle if one of its steps has an edge that no run went along. Of too many every other one goes.
+    /// Keeps a cycle if its step has an edge that no run has taken. If there are too many, every other one is dropped.
     fn chance(&mut self, cycle: u64, at: ProgramPoint) {
         if self.chances.last() == Some(&cycle) || self.points.edges(at).all(|edge| self.has(edge)) {
             return;

@@ -12,7 +12,7 @@ use tip_runtime::program::Program;
 use tip_runtime::record::{Cycle, Dump, Ending, JsonLines, Sample, Sink};
 use tipc::program::StepId;
 
-/// A run, and what is noted of it.
+/// A run, and the record of its cycles.
 pub(super) struct Side {
     run: Run,
     record: CycleRecord,
@@ -55,7 +55,8 @@ impl Side {
         }
     }
 
-    /// Runs a cycle, unless `limit` are used up, reports it to `sink`, and returns whether that was the end.
+    /// Runs a cycle, unless `limit` cycles are used up, and reports it to `sink`. Returns the ending if the run has
+    /// ended.
     pub(super) fn cycle(&mut self, limit: u64, sink: Option<&mut dyn Sink>) -> Option<Ending> {
         if let CycleRecord::Record(record) = &mut self.record {
             record.get_mut().clear();
@@ -91,7 +92,7 @@ impl Side {
         self.run.console()
     }
 
-    /// Returns a hash of everything so far; 0 if there is none.
+    /// Returns a hash of all cycles so far; 0 if records are compared.
     pub(super) fn hash(&self) -> u64 {
         match &self.record {
             CycleRecord::Record(_) => 0,
@@ -133,7 +134,7 @@ impl Side {
     }
 }
 
-/// Returns the first records of a cycle that differ, and how many are before them.
+/// Returns the number of equal records at the start of a cycle, and the first records that differ.
 pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> (usize, [String; 2]) {
     let lines = |side: &Side| -> Vec<String> {
         let CycleRecord::Record(record) = &side.record else {
@@ -150,8 +151,7 @@ pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> (usize, [
     (same, [at(&left), at(&right)])
 }
 
-/// A hash of words that goes on and on. Each word is taken in by a one-to-one map, so that one that differs is never lost
-/// to those after it.
+/// A running hash of words. Each word changes it by a one-to-one map, so that later words never hide a difference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Hash(u64);
 
@@ -181,12 +181,12 @@ pub(super) struct HashedCycles {
     pub(super) hash: Hash,
     /// The present cycle in words, if they are wanted.
     pub(super) words: Option<String>,
-    /// More steps of the present cycle may follow.
+    /// True if more steps of the present cycle may follow.
     goes_on: bool,
 }
 
 impl HashedCycles {
-    /// Notes that write cycles down.
+    /// Creates a hash that also writes each cycle in words.
     pub(super) fn in_words() -> Self {
         HashedCycles {
             words: Some(String::new()),

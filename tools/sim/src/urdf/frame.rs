@@ -118,7 +118,7 @@ pub(crate) fn rpy_of_axes([x, y, z]: [[f64; 3]; 3]) -> [f64; 3] {
         return [0.0, pitch, libm::atan2(-y[0], y[1])];
     }
     let yaw = libm::atan2(x[1], x[0]);
-    // What a yaw near there is off by, the roll makes good.
+    // The roll compensates the error of the yaw near that case.
     let (sin, cos) = libm::sincos(yaw);
     let roll = libm::atan2(sin * z[0] - cos * z[1], cos * y[1] - sin * y[0]);
     [roll, pitch, yaw]

@@ -1,9 +1,9 @@
-// Triangles or lines of many colours that are others in every frame: one call draws them all.
+// Triangles or lines of many colours that change in every frame and are drawn by one call.
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 
 export class Batch {
-  /** Of a kind (Mesh or LineSegments), with at most so many corners. */
+  /** Creates a batch of a kind (Mesh or LineSegments) with at most `most` corners. */
   constructor(Kind, material, most) {
     const attribute = (array, size, normalized) => new BufferAttribute(array, size, normalized).setUsage(DynamicDrawUsage);
     this.places = attribute(new Float32Array(3 * most), 3, false);
@@ -15,12 +15,12 @@ export class Batch {
     this.shape.frustumCulled = false;
   }
 
-  /** Nothing yet, in the frame that is made. */
+  /** Begins a frame without corners. */
   begin() {
     this.count = 0;
   }
 
-  /** Corners from now on are of a colour, so opaque. */
+  /** Sets colour and opacity of the following corners. */
   tint({ r, g, b }, opacity = 1) {
     this.rgba = [r, g, b, opacity].map((share) => Math.round(255 * share));
   }
@@ -33,7 +33,7 @@ export class Batch {
     [colours[4 * at], colours[4 * at + 1], colours[4 * at + 2], colours[4 * at + 3]] = [r, g, b, a];
   }
 
-  /** A line through all of these places, each [x, y, z]. */
+  /** Adds a line through places, each [x, y, z]. */
   path(places) {
     for (let n = 1; n < places.length; n++) {
       this.corner(...places[n - 1]);
@@ -41,7 +41,7 @@ export class Batch {
     }
   }
 
-  /** That is all. */
+  /** Ends the frame: passes its corners to the graphics. */
   end() {
     for (const attribute of [this.places, this.colours]) {
       attribute.clearUpdateRanges();

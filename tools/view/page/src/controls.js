@@ -1,18 +1,18 @@
-// What one does to a robot that runs: keys, knobs, halt, emergency stop.
+// The inputs of a live run: keys, knobs, pushes, halt, emergency stop.
 
 import { element, make } from './dom.js';
 import { sticks } from './sticks.js';
 import { label, whenSpoken, word } from './words.js';
 
-/** The highest reading of an input: V. */
+/** The highest reading of an input, V. */
 const VOLTS = 10;
-/** Keys that write nothing, by what the robot's keyboard sends. */
+/** The events of keys that write no character. */
 const CODES = { Enter: 'key 0x0D', Escape: 'halt', Backspace: 'key 0x08' };
 
 export function controls(requests, recording) {
   const happen = (event) => requests.send({ do: 'event', event });
   element('stop').addEventListener('click', () => happen(CODES.Enter));
-  // A run that rests takes it when it goes on.
+  // A paused run receives the halt request only when it continues.
   let asked = false;
   element('halt').addEventListener('click', () => {
     happen(CODES.Escape);
@@ -39,7 +39,7 @@ export function controls(requests, recording) {
     event.preventDefault();
     happen(CODES[event.key]);
   });
-  // What is written, by a keyboard of keys or of a screen.
+  // Characters come as input, from a keyboard and from a screen.
   keys.addEventListener('input', (event) => {
     if (event.isComposing) return;
     for (const char of keys.value) {
@@ -51,7 +51,7 @@ export function controls(requests, recording) {
   whenSpoken(() => (keys.placeholder = word('typeHere')));
   const stick = sticks(happen, recording);
   let knobs = [];
-  /** Those of a robot, once it runs. */
+  /** Shows the inputs of a run that begins. */
   const begin = () => {
     asked = false;
     stick.begin();
@@ -60,7 +60,7 @@ export function controls(requests, recording) {
     element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
     element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
     element('other-inputs-box').hidden = !element('other-inputs').childElementCount;
-    // Only a walking robot with mass is pushed, and it alone has forces in three directions.
+    // Only a walking robot with mass can be pushed; only such a robot has forces in three directions.
     element('push').hidden = !recording.robot.body || !recording.has('force.0.0');
   };
   begin();
@@ -72,7 +72,7 @@ export function controls(requests, recording) {
   return { begin, show };
 }
 
-/** A slider of an input; it shows what others do as well. */
+/** Creates the slider of an input. It also shows values that other viewers set. */
 function knob(name, happen) {
   const slider = make('input', { type: 'range', min: 0, max: VOLTS, step: 0.1, value: 0 });
   slider.dataset.input = name;
@@ -81,7 +81,7 @@ function knob(name, happen) {
   let due;
   slider.addEventListener('input', () => {
     show();
-    // As often as the page is drawn, however fast the pointer moves.
+    // One event for each frame, however fast the pointer moves.
     due ??= requestAnimationFrame(() => {
       due = undefined;
       happen(`${name}=${slider.value}`);

@@ -1,4 +1,4 @@
-// The program, to be edited while it runs: its findings in place, the line that runs, values under the pointer.
+// The editor of the program of a live run, with findings, the line that runs, and values under the pointer.
 
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
@@ -9,9 +9,9 @@ import { knowledge, placeOf } from './knowledge.js';
 import { shown } from './source.js';
 import { spoken, whenSpoken, word } from './words.js';
 
-/** How long one waits for the next key before the text is sent: ms. */
+/** Pause after the last key until the text is sent, ms. */
 const QUIET = 150;
-/** How long the lines stand still while the run jumps: ms. */
+/** Time between two scrolls to the line that runs, ms. */
 const CALM = 400;
 const NAME = /[A-Za-z_][A-Za-z0-9_]*(?:\.[A-Za-z0-9]+)?/g;
 
@@ -57,7 +57,7 @@ const look = EditorView.theme({
   '.cm-selectionBackground, &.cm-focused .cm-selectionBackground': { backgroundColor: 'var(--accent-soft) !important' },
   '.lit': { backgroundColor: 'var(--lit)', boxShadow: 'inset 3px 0 var(--accent)' },
   '.thread': { boxShadow: 'inset 3px 0 var(--good)' },
-  // At the end of its line, and in sight where the line is longer than the editor is wide.
+  // The names stand at the end of the line, and stay visible if the line is wider than the editor.
   '.thread::after': { content: 'attr(data-threads)', display: 'inline-block', position: 'sticky', right: '8px', marginLeft: '24px', padding: '0 6px', borderRadius: '4px', backgroundColor: 'var(--card)', fontSize: '11px', color: 'var(--good)' },
   '.comment': { color: 'var(--good)' },
   '.cm-tooltip': { backgroundColor: 'var(--card)', color: 'var(--text)', border: '1px solid var(--line)', borderRadius: '6px', maxWidth: '420px', padding: '2px 6px' },
@@ -75,7 +75,7 @@ const look = EditorView.theme({
   '.cm-lintRange-warning': { backgroundImage: 'none', textDecoration: 'underline wavy var(--warn)', textUnderlineOffset: '3px' },
 });
 
-/** The text, as the session has it and as it stands here. */
+/** The editor, with the text of this page and that of the session. */
 export class Editor {
   constructor(requests, player) {
     this.requests = requests;
@@ -83,9 +83,9 @@ export class Editor {
     this.own = crypto.getRandomValues(new Uint32Array(2)).join('-');
     this.version = 0;
     this.findings = [];
-    // What goes on once the session has answered an edit.
+    // Callbacks for the answer of the session to an edit.
     this.behind = [];
-    // Its keys are not those of the page.
+    // Keys in the editor are not shortcuts of the page.
     element('editor').addEventListener('keydown', (event) => event.stopPropagation());
     this.view = new EditorView({ parent: shadow(element('editor')), root: element('editor').shadowRoot, state: this.fresh('') });
     whenSpoken(() => {
@@ -115,27 +115,30 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
-  /** Lets the session have the text as it stands before whatever is sent next; false if another one stands here then. */
+  /**
+   * Sends the present text, so that the session has it before the next request. Resolves to false if the text changed
+   * meanwhile.
+   */
   async catchUp() {
     const { text } = this;
     this.sendText();
-    // What was sent before is still on its way; this text follows it.
+    // An earlier edit is not answered yet; this text follows it.
     if (!this.reaches(text)) await new Promise((go) => this.behind.push(go));
     return text === this.text && this.reaches(text);
   }
 
-  /** Sends a request about the text as it stands. */
+  /** Sends a request after the present text. */
   async ask(request) {
     await this.catchUp();
     this.requests.send(request);
   }
 
-  /** The answer to a question about the text as it stands; nothing if it has changed before the session could have it. */
+  /** Resolves to the answer to a question about the present text; to nothing if the text changed before the session had it. */
   async inquire(question) {
     return (await this.catchUp()) ? this.requests.ask(question) : undefined;
   }
 
-  /** Whether the session has a text, or has it before whatever is sent now. */
+  /** Returns true if the session has a text, or will have it before the next request. */
   reaches(text) {
     return text === (this.waits ? this.sent : this.known);
   }
@@ -156,7 +159,7 @@ export class Editor {
     this.requests.send({ do: 'edit', text, base: this.version, by: this.own });
   }
 
-  /** The session has this text: what was sent, or another viewer's, or the file's. */
+  /** Takes the text of the session: the one that was sent, another viewer's, or the file's. */
   takeText(update) {
     this.follow(update);
     this.behind.splice(0).forEach((go) => go());
@@ -173,7 +176,7 @@ export class Editor {
     this.replace(text);
   }
 
-  /** Puts a text in the place of the one here, keeping what both begin and end with; a session's first text is another program. */
+  /** Replaces the text, but keeps its common beginning and end. The first text of a session is another program. */
   replace(text) {
     if (this.version === 1) this.view.setState(this.fresh(text));
     const { text: old } = this;
@@ -186,12 +189,12 @@ export class Editor {
     this.align();
   }
 
-  /** An edit was refused: the text of the session follows. */
+  /** Ends the wait for an edit that was refused. The text of the session follows. */
   refused() {
     this.waits = false;
   }
 
-  /** The text that stands here is the one that runs from now on, by its lines. */
+  /** Takes the script of a run that begins. Its lines are marked in the text. */
   running(script) {
     const lines = (text) => text.replace(/\r\n?/g, '\n');
     this.runs = EditorState.create({ doc: lines(script.text) }).doc;
@@ -201,7 +204,7 @@ export class Editor {
     this.line = undefined;
   }
 
-  /** From a text that is the one that runs, changes lead to where its lines are now. */
+  /** Begins to follow changes, if the text is the one that runs: they tell where its lines are later. */
   align() {
     if (!this.runs?.eq(this.view.state.doc)) return;
     const { line, threads } = this;
@@ -210,7 +213,7 @@ export class Editor {
     this.light(line, threads);
   }
 
-  /** Lights the line that runs and marks those of threads, wherever their text has gone. */
+  /** Marks the line that runs and those of threads, at their present places in the text. */
   light(line, threads = []) {
     if (line === this.line && JSON.stringify(threads) === JSON.stringify(this.threads)) return;
     [this.line, this.threads] = [line, threads];
@@ -225,12 +228,12 @@ export class Editor {
     this.reveal ??= setTimeout(() => this.showLit(), CALM);
   }
 
-  /** Scrolls to the line that runs, not too often, and not under the hands of someone who writes. */
+  /** Scrolls to the line that runs, unless it is visible or the editor has the focus. */
   showLit() {
     this.reveal = undefined;
     const at = Math.min(this.lit ?? 0, this.view.state.doc.length);
     if (this.lit === undefined || this.view.hasFocus || this.isVisible(at)) return;
-    // Only the text moves, not the page that it is in.
+    // Scrolls the text alone, not the page around it.
     const { scrollDOM } = this.view;
     scrollDOM.scrollTop = this.view.lineBlockAt(at).top - scrollDOM.clientHeight * 0.4;
   }
@@ -271,7 +274,7 @@ export class Editor {
     element('problems').hidden = !rows.length;
   }
 
-  /** The value of the variable at a place. */
+  /** Returns span and value of the variable at a place. */
   valueAt(place) {
     const line = this.view.state.doc.lineAt(place);
     for (const { 0: name, index } of line.text.matchAll(NAME)) {
@@ -285,7 +288,7 @@ export class Editor {
   }
 }
 
-/** A tree of its own: its styles need no leave of the page's policy. */
+/** Creates a shadow tree: the page's policy does not allow the styles of the editor elsewhere. */
 function shadow(host) {
   return host.attachShadow({ mode: 'open' });
 }

@@ -1,4 +1,4 @@
-// Images, videos and links.
+// The export of images, videos and links.
 
 import { clockTime, element, make } from './dom.js';
 import { Film } from './film.js';
@@ -6,7 +6,7 @@ import { Gif } from './gif.js';
 import { word } from './words.js';
 import { zip } from './zip.js';
 
-/** A GIF for slides has at most so many frames per second. */
+/** Maximum frame rate of a GIF, 1/s. */
 const SLIDES = 20;
 
 export function exporting(player, stage) {
@@ -30,7 +30,7 @@ export function exporting(player, stage) {
   };
   const rate = () => Math.min(Math.max(Number(element('export-rate').value) || 25, 1), 60);
 
-  /** Has each frame of a span shown, and what is to be done with it done. */
+  /** Shows each frame of the chosen span and calls `act(n)`. */
   async function each(act, most = Infinity) {
     const [[from, to], per] = [span(), Math.min(rate(), most)];
     const count = Math.floor(((to - from) / 1000) * per * (1 / player.speed)) + 1;
@@ -60,7 +60,7 @@ export function exporting(player, stage) {
     await each(async () => {
       stage.drawFine();
       await film.add();
-      // The page is shown, and can be stopped.
+      // The browser draws the page and handles a click on the stop button.
       await new Promise((go) => setTimeout(go));
     });
     if (stopped) film.discard();
@@ -80,7 +80,7 @@ export function exporting(player, stage) {
     if (!stopped) save(made.end(), `${stem}.gif`);
   }
 
-  /** One at a time, with a button to stop it; the player is where it was again. */
+  /** Returns a handler that runs an export with a stop button, and then restores the time of the player. */
   const doing = (what) => async () => {
     stopped = false;
     player.pause();
@@ -101,7 +101,7 @@ export function exporting(player, stage) {
       await navigator.clipboard.writeText(text());
       status.textContent = word('copied');
     } catch {
-      // A page in a file may not: what is to be copied is shown instead.
+      // A page in a file may not use the clipboard. The text is shown instead.
       status.textContent = text();
     }
   };

@@ -1,9 +1,12 @@
-// The figures of a run, as the terminal has them: each a link to its moment; of two runs a table with differences.
+// The figures of a run, each with a link to its moment. For two runs the table has their differences.
 
 import { element, fixed, make } from './dom.js';
 import { word } from './words.js';
 
-/** Rows of the table: name, text, number and unit of what can be compared, which direction is better, and moment. */
+/**
+ * Returns the rows of the table: name, text, number and unit for comparisons, the better direction (1 is more), and the
+ * moment.
+ */
 function rows(summary) {
   const found = [];
   const add = (key, text, { value, unit = '', better, at, of = '' } = {}) => found.push({ key, of, text, value, unit, better, at });
@@ -23,7 +26,7 @@ function rows(summary) {
     if (!one) return;
     const text = `${word(most, `${fixed(one.value, key === 'contactForce' ? 2 : 1)} ${one.unit}`)}${one.limit == null ? '' : ` (${word('limit', one.limit)})`}`;
     add(key, text, { ...one, better, of: one.of ?? '' });
-    // The moment is among the keys of the figure itself.
+    // The figure itself has the keys of its moment.
     found.at(-1).at = one;
   };
   peak('margin', summary.margin, 1, 'atLeast');
@@ -44,7 +47,7 @@ function rows(summary) {
   return found;
 }
 
-/** An amount with its direction. */
+/** Formats an amount with its direction. */
 function sense(value, unit, positive, negative) {
   const text = fixed(value, 1);
   return `${text.replace('-', '')} ${unit} ${word(text.startsWith('-') ? negative : positive)}`;
@@ -77,7 +80,7 @@ export function showFigures(player, summary, other) {
   table.replaceChildren(...head, ...lines);
 }
 
-/** The second number less the first one, and whether that is better. */
+/** Creates the cell with the second number minus the first one, and a word that tells if that is better. */
 function difference({ value, unit, better, key }, same) {
   const cell = make('td', { className: 'figure' });
   if (value === undefined || same?.value === undefined || value === null || same.value === null) return cell;

@@ -1,26 +1,26 @@
-// A film of a canvas, frame by frame, however long each takes; encoded by the browser.
+// A video of a canvas, which the browser encodes frame by frame, not in real time.
 
 import { webm } from './webm.js';
 
 const CODEC = { browser: 'vp8', file: 'V_VP8' };
-/** How often a film can be entered: s. */
+/** Time between two key frames, s. */
 const ENTRY = 5;
-/** Of one pixel of one frame: bits. */
+/** Bits for each pixel of a frame. */
 const BITS = 0.15;
-/** So many frames may wait for the encoder. */
+/** Maximum number of frames that wait for the encoder. */
 const WAITING = 4;
 
 export class Film {
-  /** Of a canvas as large as it is now; none if this browser encodes no video. */
+  /** Creates a video of a canvas in its present size; undefined if this browser encodes no video. */
   static async of(canvas, rate) {
-    // VP8 halves colours in both directions.
+    // VP8 needs even sizes: it stores colours at half the size.
     const [width, height] = [canvas.width & ~1, canvas.height & ~1];
     const wanted = { codec: CODEC.browser, width, height, framerate: rate, bitrate: Math.round(width * height * rate * BITS) };
     try {
       const { supported } = await VideoEncoder.isConfigSupported(wanted);
       return supported ? new Film(canvas, rate, wanted) : undefined;
     } catch {
-      // No encoder at all, or none for a page from such an address.
+      // The browser has no encoder, or none for a page from this address.
       return undefined;
     }
   }
@@ -35,12 +35,12 @@ export class Film {
       };
       this.encoder = new VideoEncoder({ output, error: fail });
     });
-    // Who waits for the encoder hears of it; nobody may wait.
+    // `add` and `end` reject on an error. Between them nobody awaits the promise, which must not count as unhandled.
     this.failed.catch(() => {});
     this.encoder.configure(wanted);
   }
 
-  /** What the canvas shows is the next frame. */
+  /** Adds the present picture of the canvas as a frame. */
   async add() {
     const { width, height } = this.wanted;
     const timestamp = Math.round((this.taken * 1e6) / this.rate);
@@ -51,7 +51,7 @@ export class Film {
     while (this.encoder.encodeQueueSize > WAITING) await Promise.race([new Promise((go) => setTimeout(go, 5)), this.failed]);
   }
 
-  /** The whole film. */
+  /** Returns the video as a blob. */
   async end() {
     await Promise.race([this.encoder.flush(), this.failed]);
     this.encoder.close();
@@ -59,7 +59,7 @@ export class Film {
     return webm(this.frames, { codec: CODEC.file, width, height, each: 1000 / this.rate });
   }
 
-  /** Nobody wants it. */
+  /** Stops the encoder without a result. */
   discard() {
     this.encoder.close();
   }

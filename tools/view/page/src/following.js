@@ -1,4 +1,4 @@
-// Where one looks in a run that goes on: at its newest cycle, or back at what was, while it goes on or rests.
+// The player of a live run. It follows the newest cycle, or shows an earlier one while the run continues or is paused.
 
 import { element } from './dom.js';
 import { Player } from './player.js';
@@ -10,13 +10,13 @@ export class FollowingPlayer extends Player {
     this.following = true;
   }
 
-  /** What the session says of the run. */
+  /** Takes the status of the run from the session. */
   takeStatus({ playing, speed, over }) {
     Object.assign(this, { playing, speed, over: Boolean(over) });
     this.changed();
   }
 
-  /** There is more to see. */
+  /** Shows the new cycles, if the player follows the run. */
   grown() {
     const go = () => this.goToTime(this.following ? this.recording.duration : this.time);
     if (this.playing) this.glide(go);
@@ -32,20 +32,20 @@ export class FollowingPlayer extends Player {
     super.goTo(cycle);
   }
 
-  /** At the newest cycle from now on, or at what was. */
+  /** Begins or stops following the newest cycle. */
   look(following) {
     if (this.following === following) return;
     this.following = following;
     this.changed();
   }
 
-  /** The run itself goes so many cycles forward or back, unless one looks at what was. */
+  /** Steps the run itself by one cycle, or the view if it shows an earlier cycle or the step is longer. */
   step(cycles) {
     if (!this.following || !Number.isFinite(cycles) || Math.abs(cycles) > 1) return this.goTo(this.cycle + cycles);
     return this.requests.send({ do: 'step', cycles });
   }
 
-  /** The run goes on from where one looks. */
+  /** Continues the run from the cycle that is shown. */
   goOnFromHere() {
     if (!this.following) {
       this.requests.send({ do: 'go', cycle: this.cycle });
@@ -62,7 +62,7 @@ export class FollowingPlayer extends Player {
     this.requests.send({ do: 'speed', times: speed });
   }
 
-  /** A run that is over is run again. */
+  /** Plays or pauses the run; restarts a run that is over. */
   toggle() {
     if (this.over) return element('restart').click();
     this.requests.send({ do: this.playing ? 'pause' : 'play' });
@@ -70,7 +70,7 @@ export class FollowingPlayer extends Player {
     return undefined;
   }
 
-  /** Looks at what was; the run does what it does. */
+  /** Stops following. The run itself is not paused. */
   pause() {
     this.look(false);
   }

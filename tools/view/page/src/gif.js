@@ -1,14 +1,14 @@
-// An animation of a canvas for slides: small, with the time and what the program says in each frame.
+// A small GIF of a canvas for slides. Each frame shows the time and the message of the program.
 
 import { GIFEncoder, applyPalette, quantize } from 'gifenc';
 import { colour } from './dom.js';
 
-/** It is at most so wide: px. */
+/** Maximum width, px. */
 const WIDTH = 640;
 const COLOURS = 128;
 
 export class Gif {
-  /** Of a canvas as large as it is now, with so many frames per second. */
+  /** Creates a GIF of a canvas in its present size, with `rate` frames per second. */
   constructor(canvas, rate) {
     const width = Math.min(canvas.width, WIDTH);
     const height = Math.round((canvas.height * width) / canvas.width);
@@ -16,7 +16,7 @@ export class Gif {
     Object.assign(this, { canvas, width, height, delay: 1000 / rate, pen: copy.getContext('2d', { willReadFrequently: true }), encoder: GIFEncoder() });
   }
 
-  /** What the canvas shows is the next frame. */
+  /** Adds the present picture of the canvas as a frame. */
   add(time, message) {
     const { canvas, width, height, pen, encoder, delay } = this;
     pen.drawImage(canvas, 0, 0, width, height);
@@ -24,7 +24,7 @@ export class Gif {
     pen.fillText(time, 12, 12);
     if (message) pen.fillText(message, 12, height - 28, width - 24);
     const { data } = pen.getImageData(0, 0, width, height);
-    // One palette: colours do not flicker from frame to frame.
+    // All frames share a palette, so that colours do not flicker.
     this.palette ??= quantize(data, COLOURS);
     encoder.writeFrame(applyPalette(data, this.palette), width, height, { palette: this.palette, delay });
   }

@@ -1,10 +1,10 @@
-// Forward kinematics, as tip-view's skeleton has it: mm and degrees in the robot's frame.
+// Forward kinematics, equal to that of tip-view's skeleton, in mm and degrees in the robot's frame.
 
 import { Matrix4, Quaternion, Vector3 } from 'three';
 
 const RADIANS = Math.PI / 180;
 
-/** The robot's frame in the world: yaw about z, then pitch about x, then roll about y. */
+/** Returns the robot's frame in the world: yaw about z, then pitch about x, then roll about y. */
 export function placed(pose) {
   if (!pose) return new Matrix4();
   const [x, y, z, roll, pitch, yaw] = pose;
@@ -14,7 +14,7 @@ export function placed(pose) {
   return turn.setPosition(x, y, z);
 }
 
-/** The frame of each link of a leg, with its origin in its joint. */
+/** Returns the frame of each link of a leg, with its origin in its joint. */
 export function links(leg, angles) {
   const frame = new Matrix4().makeTranslation(...leg.base);
   return leg.joints.map(({ axis, link }, j) => {
@@ -27,8 +27,8 @@ export function links(leg, angles) {
 }
 
 /**
- * Where the foot of each leg is in the world. Trails ask for hundreds: it goes from the foot back to the body, where each joint
- * turns what follows it, and needs no frames.
+ * Returns the place of each foot in the world. Trails need hundreds of them, so it makes no frames: it goes from the foot back to
+ * the body, and each joint turns the part of the leg after it.
  */
 export function feet({ legs }, { pose, angles }) {
   const [body, part] = [placed(pose), new Vector3()];
@@ -38,14 +38,17 @@ export function feet({ legs }, { pose, angles }) {
   });
 }
 
-/** The corners of the belly in the world. */
+/** Returns the corners of the body's lower side in the world. */
 export function belly({ body }, { pose }) {
   const frame = placed(pose);
   const corners = body.x.flatMap((x) => body.y.map((y) => new Vector3(x, y, body.z[0])));
   return corners.map((corner) => corner.applyMatrix4(frame));
 }
 
-/** Where the centre of mass is in the world; what says no more has its own in the middle of a link, or in the body's origin. */
+/**
+ * Returns the centre of mass in the world. By default, the mass of a link is in its middle, and that of the body in its
+ * origin.
+ */
 export function centreOfMass(robot, { pose, angles }) {
   let mass = robot.body?.mass ?? 0;
   const sum = new Vector3(...(robot.body?.centre ?? [0, 0, 0])).multiplyScalar(mass);
@@ -60,7 +63,7 @@ export function centreOfMass(robot, { pose, angles }) {
   return mass > 0 ? sum.divideScalar(mass).applyMatrix4(placed(pose)) : undefined;
 }
 
-/** The convex hull of points [x, y], counter-clockwise (Andrew's monotone chain). */
+/** Returns the convex hull of points [x, y], counter-clockwise (Andrew's monotone chain). */
 export function hull(points) {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const side = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

@@ -1,28 +1,28 @@
-// What the session knows of the text, in the editor: words under the pointer, and what can be written.
+// Hover texts and completions of the editor, from the session.
 
 import { autocompletion, completionKeymap, snippet } from '@codemirror/autocomplete';
 import { hoverTooltip, keymap, tooltips } from '@codemirror/view';
 import { make } from './dom.js';
 import { spoken } from './words.js';
 
-/** A word that is being written. */
+/** The word before the cursor. */
 const BEGUN = /[A-Za-z_][\w.]*$/;
 
 /**
- * Extensions of the editor. `ask(question)` gives the answer about the text as it stands, or nothing; `valueAt(place)` the value
- * of the variable there as { from, to, text }, or nothing.
+ * Returns the extensions of the editor. `ask(question)` resolves to the answer about the present text, or to nothing.
+ * `valueAt(place)` returns the value of the variable there as { from, to, text }, or nothing.
  */
 export function knowledge(ask, valueAt) {
   return [
     hoverTooltip((view, place) => hover(view.state.doc, place, ask, valueAt)),
     autocompletion({ override: [(context) => offers(context, ask)], icons: false, positionInfo: beside }),
     keymap.of(completionKeymap),
-    // All of them stay within the editor, whose section shows nothing outside of it.
+    // Tooltips stay within the editor, since its section clips them.
     tooltips({ tooltipSpace: ({ dom }) => dom.getBoundingClientRect() }),
   ];
 }
 
-/** The description of an offer stands below the list of offers, or above it, and covers none of them. */
+/** Places the description of a completion below or above the list, so that it covers none of it. */
 function beside(view, list, option, info, space) {
   const height = info.bottom - info.top;
   const below = list.bottom + height <= space.bottom || list.top - height < space.top;
@@ -57,12 +57,12 @@ async function offers(context, ask) {
   };
 }
 
-/** A snippet of the Language Server Protocol in the editor's own words, which have no choices and end nowhere else. */
+/** Converts a snippet of the Language Server Protocol for CodeMirror, which has no choices and no final place. */
 function fields(text) {
   return text.replace(/\$\{(\d+)\|([^,|]*)[^|]*\|\}/g, '${$1:$2}').replace(/\$0/g, '${99}');
 }
 
-/** A place of the text as a session has it: line and column from 1. */
+/** Returns a place of the text as sessions write it: line and column from 1. */
 export function positionOf(doc, place) {
   const { number, from } = doc.lineAt(place);
   return [number, place - from + 1];
@@ -74,7 +74,7 @@ export function placeOf(doc, [line, column]) {
   return Math.min(from + column - 1, to);
 }
 
-/** The little of Markdown that is known of words: code, lists, paragraphs. */
+/** Renders the Markdown of hover texts: code, lists, paragraphs. */
 function paragraphs(text) {
   const blocks = text.split(/```\w*\n([^]*?)\n```\n*/);
   return blocks.flatMap((block, n) => (n % 2 ? [make('pre', { textContent: block })] : block.split(/\n{2,}/).filter(Boolean).map(paragraph)));

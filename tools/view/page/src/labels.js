@@ -1,10 +1,10 @@
-// Names in the scene: of feet, of the axes of the robot's frame, and of its front. They are as large wherever they are.
+// Names of feet, of the axes of the robot's frame, and of its front in the scene. Their size does not depend on the distance.
 
 import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
 import { colour, legColour } from './dom.js';
 import { whenSpoken, word } from './words.js';
 
-/** The height of a name, as a share of what is seen at a distance of 1; and that of its picture: px. */
+/** Height of a name relative to the height of the view, and of its picture, px. */
 const [TALL, PIXELS] = [0.026, 48];
 const AXES = ['x', 'y', 'z'];
 
@@ -31,12 +31,12 @@ export class Labels extends Group {
     return sprite;
   }
 
-  /** Takes the colours of the page's scheme. */
+  /** Applies the colours of the page's scheme. */
   recolour() {
     this.children.forEach(draw);
   }
 
-  /** Where feet, ends of axes and the front are. */
+  /** Moves the names to feet, ends of axes and the front. */
   put(feet, axes, front) {
     feet.forEach((foot, leg) => this.feet[leg].position.copy(foot));
     axes.forEach((end, axis) => this.axes[axis].position.copy(end));
@@ -44,7 +44,7 @@ export class Labels extends Group {
   }
 }
 
-/** Writes the text of a sprite, with an edge that keeps it legible on everything. */
+/** Draws the text of a sprite, with an outline that keeps it legible on any background. */
 function draw(sprite) {
   const { map } = sprite.material;
   const { image } = map;
@@ -53,7 +53,7 @@ function draw(sprite) {
   pen.font = font;
   const width = Math.ceil(pen.measureText(sprite.text).width) + 12;
   if (image.width !== width) {
-    // A picture of another size is another texture for the graphics.
+    // A texture cannot change its size; the next upload makes a new one.
     map.dispose();
     [image.width, image.height] = [width, PIXELS];
   }

@@ -1,4 +1,4 @@
-// What the page of a run that goes on says beside what every page says, in English and Japanese.
+// The texts that only the page of a live run has, in English and Japanese.
 
 export const LIVE_WORDS = {
   runs: ['running', '実行中'],

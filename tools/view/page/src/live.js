@@ -1,4 +1,4 @@
-// The page of a run that goes on, whatever session is behind it.
+// The page of a live run with any session.
 
 import { controls } from './controls.js';
 import { element } from './dom.js';
@@ -14,12 +14,12 @@ import { endOf, listMarks, state } from './state.js';
 import { timeline } from './timeline.js';
 import { teach, whenSpoken, word } from './words.js';
 
-/** How often plots, marks and the list of events follow: ms. */
+/** Time between two updates of plots, marks and the list of events, ms. */
 const SELDOM = 250;
-/** How much of the run the plots show while they follow: ms. */
+/** Length of the part that plots show while they follow the run, ms. */
 const WINDOW = 30_000;
 
-/** Speaks, and opens the stage of a run that is still to come. */
+/** Chooses the language and opens the stage before a run begins. */
 export function prepareLive() {
   teach(LIVE_WORDS);
   languages();
@@ -34,7 +34,7 @@ export function openLive(session, stage) {
     notice(word(`refused-${answer.error}`, answer.detail ?? ''));
   });
   const takes = {
-    // With its first cycle there is something to show.
+    // The page is built with the first cycle, which an update `more` brings.
     run: (update) => (begun = update),
     more(update) {
       const begins = begun;
@@ -53,25 +53,25 @@ export function openLive(session, stage) {
   session.watch?.((reached) => {
     document.documentElement.dataset.reached = reached;
     element('lost').hidden = reached;
-    // What cannot be done is not offered; what was can still be looked at.
+    // Without a session only the recorded cycles can be shown, so the other controls are disabled.
     for (const part of ['controls', 'play', 'speed', 'restart', 'save', 'reload', 'go-on']) element(part)?.toggleAttribute('inert', !reached);
   });
   return requests;
 }
 
-/** Everything that shows a run, once there is something to show; returns what it does with updates. */
+/** Builds all views of a run at its first cycle. Returns the handlers of updates. */
 function build(requests, recording, stage) {
   let status = { playing: false, speed: 1 };
   const kind = () => JSON.stringify([recording.robot, recording.scene]);
   let around = kind();
-  // The page of a program that is nowhere else saves nothing.
+  // A page without a file, such as the playground, has no button to save.
   const hasFile = Boolean(element('save'));
   let [dirty, seldom] = [false, 0];
   const player = new FollowingPlayer(recording, requests);
   const editor = new Editor(requests, player);
   editor.running(recording.script);
   stage?.begin(recording);
-  // Charts can wait until the robot is there.
+  // Charts are built after the first picture of the robot.
   let plots;
   const charts = () => (plots ??= new Plots(player));
   const strip = timeline(player);

@@ -1,4 +1,4 @@
-// The page's script, which is deflated: it would be most of the page. Its policy knows the script by its hash.
+// Unpacks the script of the page, which is deflated since it is most of the page. The page's policy allows it by its hash.
 
 import { bytesOf, inflated } from './unpack.js';
 

@@ -1,5 +1,5 @@
-// The page of a run: one that is over, which the page holds, or that of `tip serve`, whose session is at the other end of a
-// WebSocket of the same server.
+// Entry point of the page: it replays the recording that it contains, or shows the live run of `tip serve`, whose session is
+// behind a WebSocket of the same server.
 
 import { element } from './dom.js';
 import { openLive, prepareLive } from './live.js';

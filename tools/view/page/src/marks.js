@@ -1,27 +1,27 @@
-// What is drawn beside the robot in every frame: trails, support polygon, centre of mass, forces, slips. Lengths in mm.
+// Marks that are drawn in every frame: trails, support polygon, centre of mass, forces, slips. Lengths in mm.
 
 import { Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, RingGeometry, SphereGeometry, Vector3 } from 'three';
 import { Batch } from './batch.js';
 import { colour, legColour } from './dom.js';
 import { towards } from './robot.js';
 
-/** How many places a trail has at most. */
+/** Maximum number of places of a trail. */
 export const PLACES = 240;
-/** Corners of a support polygon are at most so many: of nine feet and a belly. */
+/** Maximum number of corners of a support polygon: nine feet and four corners of the body. */
 const CORNERS = 13;
-/** How many axes a frame has, and corners the triangles of the arrow on the floor. */
+/** Numbers of axes of a frame, and of corners of the triangles of the arrow on the floor. */
 const [AXES, ARROW] = [3, 9];
-/** How high above the ground marks are, each above those before: mm. */
+/** Heights of marks above the ground, mm. Each kind is above the ones before. */
 const LIFT = { fill: 1.2, edge: 1.4, spot: 1.6, ring: 1.8 };
 
-/** The corners of a geometry's triangles, one after the other. */
+/** Returns the corners of a geometry's triangles, one after the other. */
 function triangles(geometry) {
   const { array } = geometry.toNonIndexed().attributes.position;
   return Array.from({ length: array.length / 3 }, (_, n) => new Vector3(...array.slice(3 * n, 3 * n + 3)));
 }
 
 export class Marks extends Group {
-  /** For a robot of a size with so many legs. */
+  /** Creates the marks of a robot with a size and a number of legs. */
   constructor(size, legs) {
     super();
     const thick = size * 0.006;
@@ -34,13 +34,13 @@ export class Marks extends Group {
     this.lines = new Batch(LineSegments, new LineBasicMaterial(common), 2 * (legs * PLACES + CORNERS + 1 + AXES));
     this.faces = new Batch(Mesh, new MeshBasicMaterial({ ...common, side: DoubleSide }), legs * each + this.spotRing.length + 3 * CORNERS + ARROW);
     this.centre = new Mesh(new SphereGeometry(size * 0.014, 12, 8), new MeshBasicMaterial({ transparent: true, depthTest: false }));
-    // Faces that let lines through are drawn after them, objects that let forces through after those.
+    // Transparent shapes are drawn after what is seen through them: lines, then faces, then objects.
     [this.lines.shape.renderOrder, this.faces.shape.renderOrder, this.centre.renderOrder] = [0.4, 0.6, 2];
     this.add(this.lines.shape, this.faces.shape, this.centre);
     this.legs = legs;
   }
 
-  /** Takes the colours of the page's scheme. */
+  /** Applies the colours of the page's scheme. */
   recolour() {
     const named = (name) => new Color(colour(name));
     this.tints = { good: named('good'), bad: named('bad'), force: named('force'), front: named('robot-front'), axes: ['axis-x', 'axis-y', 'axis-z'].map(named), legs: Array.from({ length: this.legs }, (_, leg) => new Color(legColour(leg))) };
@@ -62,7 +62,10 @@ export class Marks extends Group {
     this.lines.path(places);
   }
 
-  /** The polygon of corners [x, y], the centre of mass, and the place under it; `ground` gives the height of the floor. */
+  /**
+   * Adds the support polygon with its corners [x, y], the centre of mass, and the place under it. `ground` returns the
+   * height of the floor.
+   */
   support(corners, centre, isGood, ground) {
     const tint = isGood ? this.tints.good : this.tints.bad;
     const raised = (lift) => ([x, y]) => [x, y, ground(x, y) + lift];
@@ -80,7 +83,7 @@ export class Marks extends Group {
     this.centre.material.color.copy(tint);
   }
 
-  /** An arrow of a length from a place, along a unit vector. */
+  /** Adds an arrow of a length from a place, along a unit vector. */
   force(place, direction, length) {
     this.faces.tint(this.tints.force);
     const turn = towards(direction);
@@ -89,7 +92,7 @@ export class Marks extends Group {
     for (const { x, y, z } of this.head) put(new Vector3(x, y + length, z));
   }
 
-  /** The axes of a frame, from its origin to their ends. */
+  /** Adds the axes of a frame, from its origin to their ends. */
   axes(origin, ends) {
     ends.forEach((end, axis) => {
       this.lines.tint(this.tints.axes[axis]);
@@ -97,7 +100,7 @@ export class Marks extends Group {
     });
   }
 
-  /** An arrow on the floor from a place, along a level unit vector; gives its tip. */
+  /** Adds an arrow on the floor from a place, along a level unit vector. Returns its tip. */
   forward(from, ahead, length, ground) {
     this.faces.tint(this.tints.front, 0.9);
     const aside = [-ahead.y, ahead.x];

@@ -1,10 +1,10 @@
-// What the page of a run is made of, whether the run is over or goes on.
+// Parts of the page that a replay and a live run share.
 
 import { element, make } from './dom.js';
 import { Stage } from './stage.js';
 import { otherLanguage, speak, word } from './words.js';
 
-/** Speaks the browser's language, or that which a page around this one has chosen, and the other one at a click. */
+/** Chooses the language of the browser, or of the page around this one, and switches it at a click. */
 export function languages(spoken = () => {}) {
   const { speaks } = document.documentElement.dataset;
   speak(speaks ?? (navigator.language.startsWith('ja') ? 'ja' : 'en'));
@@ -14,7 +14,7 @@ export function languages(spoken = () => {}) {
   });
 }
 
-/** Stage and strip are as large as there is room. */
+/** Fits stage and strip to their room. */
 export function observeSize(stage, strip) {
   new ResizeObserver(() => {
     stage?.resize();
@@ -22,7 +22,7 @@ export function observeSize(stage, strip) {
   }).observe(element('stage'));
 }
 
-/** The stage, or a word where the browser has no 3-D graphics. */
+/** Opens the stage, or shows a text if the browser has no 3-D graphics. */
 export function openStage() {
   try {
     return new Stage(element('canvas'));
@@ -35,7 +35,7 @@ export function openStage() {
   }
 }
 
-/** What the stage shows can be chosen; returns a function that offers what its robot has. */
+/** Connects the switches of the stage. Returns a function that shows those that the robot can have. */
 export function choices(stage, player) {
   for (const name of Object.keys(stage.shows)) {
     const button = element(`show-${name}`);
@@ -57,10 +57,10 @@ export function choices(stage, player) {
   return offer;
 }
 
-/** How long a notice is shown: ms. */
+/** Time for which a notice is shown, ms. */
 const NOTICE = 6000;
 
-/** Says something for a while. */
+/** Shows a notice for a while. */
 export function notice(text) {
   const box = element('notice');
   box.textContent = text;
@@ -113,7 +113,7 @@ export function tabs() {
 }
 
 export function dialogs() {
-  // A run that goes on exports nothing.
+  // The page of a live run has no export dialog.
   const all = [['export', 'export-box'], ['help', 'help-box'], ['signals', 'signals-box']];
   for (const [button, box] of all.filter(([button]) => element(button))) {
     element(button).addEventListener('click', () => element(box).showModal());

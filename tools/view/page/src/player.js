@@ -1,12 +1,12 @@
-// Where in the run one is, and going on from there.
+// The player: the present time of a recording, and its changes.
 
-/** How often what nobody reads is shown while one glides along: ms. */
+/** Time between two updates of details while the player moves, ms. */
 const SELDOM = 90;
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 
 export class Player {
-  /** Of a recording, and of another one that is compared with it and may be longer. */
+  /** Creates the player of a recording, and of another one to compare with it, which may be longer. */
   constructor(recording, other) {
     Object.assign(this, { recording, other });
     this.time = recording.endOf(0);
@@ -21,27 +21,27 @@ export class Player {
     return Math.min(this.place, this.recording.cycles - 1);
   }
 
-  /** The cycle where one is; it counts on after the recording's end while the other one still runs. */
+  /** The present cycle. It counts on after the recording's end while the other one continues. */
   get place() {
     return this.recording.countAt(this.time);
   }
 
-  /** The place where the longer one ends. */
+  /** The last cycle of the longer recording. */
   get lastPlace() {
     return this.recording.countAt(this.end);
   }
 
-  /** When the longer one ends: ms. */
+  /** The end of the longer recording, ms. */
   get end() {
     return Math.max(this.recording.duration, this.other?.duration ?? 0);
   }
 
-  /** Calls a function whenever one is elsewhere. */
+  /** Calls a function at each change of the time. */
   onMove(listener) {
     this.listeners.push(listener);
   }
 
-  /** The same for what nobody reads while it flies by: every so often while one glides along, at once where one stops. */
+  /** Calls a function for details that nobody reads in motion: now and then while the player moves, at once when it stops. */
   onRest(listener) {
     let [last, due] = [0, undefined];
     const call = () => {
@@ -61,7 +61,7 @@ export class Player {
     this.stateListeners.push(listener);
   }
 
-  /** Goes somewhere on the way to elsewhere. */
+  /** Changes the time as a part of a motion. */
   glide(go) {
     this.gliding = true;
     go();
@@ -83,7 +83,7 @@ export class Player {
     this.goTo(this.place + cycles);
   }
 
-  /** To the next mark, or back to the one before. */
+  /** Goes to the next mark, or back to the previous one. */
   skip(way) {
     const cycles = this.recording.marks.map((mark) => mark.cycle);
     const ordered = way > 0 ? cycles : cycles.toReversed();

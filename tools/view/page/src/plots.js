@@ -1,4 +1,4 @@
-// Signals over time, and when each foot stands, all on one axis.
+// Plots of signals and stances of the feet, on one axis of time.
 
 import uPlot from 'uplot';
 import { clockTime, colour, element, fixed, legColour, make } from './dom.js';
@@ -6,12 +6,12 @@ import { counterpart, firstChoice, series, signalGroups, valueOf } from './signa
 import { shown } from './source.js';
 import { whenSpoken, word } from './words.js';
 
-/** The width of what stands left of every plot: px. */
+/** Width of the axis at the left of every plot, px. */
 const GUTTER = 64;
-/** The width of what stands right of it, where the last label of its axis ends: px. */
+/** Width of the margin at the right, which the last label of the axis needs, px. */
 const EDGE = 28;
 const HEIGHT = 108;
-/** The opacity of the lines of a run that is compared: two digits behind a colour. */
+/** Opacity of the lines of the compared run, as two digits after a colour. */
 const FAINT = '70';
 const DASHES = [[], [6, 3], [2, 2], [8, 2, 2, 2]];
 
@@ -32,24 +32,24 @@ export class Plots {
     new ResizeObserver(() => this.resize()).observe(this.box);
   }
 
-  /** From when to when the runs are: s. */
+  /** Start and end of the runs, s. */
   get whole() {
     return [0, this.player.end / 1000];
   }
 
-  /** The time under the pointer, else that of the player: ms. */
+  /** The time under the pointer, else that of the player, ms. */
   get looked() {
     return this.pointed ?? this.player.time;
   }
 
-  /** The second cursor: values are also told as differences from those at this time (ms). */
+  /** Sets the second cursor (ms). Values are also shown as differences from those at this time. */
   measureFrom(time) {
     this.mark = time;
     element('plot-mark').setAttribute('aria-pressed', time !== undefined);
     this.movePlayheads();
   }
 
-  /** Tells all values at once, however many plots say where the pointer is. */
+  /** Shows all values in the next frame, once for all plots that report the pointer. */
   tell() {
     this.due ??= requestAnimationFrame(() => {
       this.due = undefined;
@@ -82,7 +82,7 @@ export class Plots {
     this.player.goToTime((from + share * (to - from)) * 1000);
   }
 
-  /** The list in which one chooses. */
+  /** Fills the list of signals to choose from. */
   listSignals() {
     const sets = this.groups.map(({ key, title, unit, signals }) => {
       const boxes = signals.map((signal) => {
@@ -102,14 +102,14 @@ export class Plots {
     this.build();
   }
 
-  /** Plots a variable as well, and shows where. */
+  /** Adds the plot of a variable and scrolls to it. */
   showVariable(scalar) {
     const key = `variable.${scalar}`;
     this.chosen.add(key);
     this.listSignals();
     this.build();
     const chart = this.charts.find(({ group }) => group.key === 'variable');
-    // Its plot is there once the page has been laid out.
+    // The plot has a place only after the next layout of the page.
     requestAnimationFrame(() => chart?.box.scrollIntoView({ block: 'nearest' }));
   }
 
@@ -127,7 +127,7 @@ export class Plots {
     this.movePlayheads();
   }
 
-  /** Another program, perhaps on another robot: its signals are other ones. */
+  /** Takes another run, whose program and robot may have other signals. */
   begin() {
     this.chosen = firstChoice(this.recording);
     this.zoomed = false;
@@ -143,7 +143,7 @@ export class Plots {
     this.build();
   }
 
-  /** Shows the last time (ms) of a run that goes on. */
+  /** Shows the last `time` ms of a live run. */
   follow(time) {
     const { duration, first } = this.recording;
     if (this.zoomed || !this.box.offsetParent) return;
@@ -152,7 +152,7 @@ export class Plots {
     this.setRange([begin / 1000, Math.max(duration, begin + 1000) / 1000]);
   }
 
-  /** Shows all that is known of a run that goes on. */
+  /** Shows all recorded cycles of a live run. */
   showAll() {
     const { duration, first } = this.recording;
     this.charts.forEach(({ plot, signals }) => plot.setData(series(this.recording, signals), false));
@@ -236,7 +236,7 @@ export class Plots {
     this.movePlayheads();
   }
 
-  /** How wide every plot is, within the box's padding: px. */
+  /** Measures the width of plots within the padding of their box, px. */
   measure() {
     this.width = Math.max(this.box.clientWidth - 24, 200);
   }
@@ -249,7 +249,7 @@ export class Plots {
   }
 
   movePlayheads() {
-    // What one looks at is in view, unless one has zoomed in elsewhere.
+    // The time of the player is visible, unless the user has zoomed in.
     const seconds = this.player.time / 1000;
     if (this.player.following === false && !this.zoomed && (seconds < this.range[0] || seconds > this.range[1])) this.showAll();
     const [from, to] = this.range;
@@ -267,7 +267,7 @@ export class Plots {
     this.tell();
   }
 
-  /** One row a leg, filled while it stands. */
+  /** Draws a row for each leg, filled while its foot stands. */
   drawGait() {
     const { recording, gait } = this;
     const legs = recording.robot.legs.length;

@@ -1,10 +1,10 @@
-// What a program did, to be asked by cycle or by time. It grows by the updates of a session (session.js); a page that replays a
-// run holds all of them.
+// The recording of a run, with its values by cycle or by time. It grows by the updates of a session (session.js); a page that
+// replays a run contains all of them.
 
 import { countUpTo } from './search.js';
 import { bytesOf, inflated } from './unpack.js';
 
-/** Motion is in hundredths of mm, deg or N. */
+/** Number of units of an update in 1 mm, deg or N. */
 const HUNDREDTHS = 100;
 /** Cycles and values under a key without entries. */
 const NOTHING = { cycles: [], values: [] };
@@ -12,7 +12,7 @@ const NOTHING = { cycles: [], values: [] };
 const START = [0, 0, 20];
 
 export class Recording {
-  /** Of a run that is over: its updates, one a line, deflated, in base64. */
+  /** Reads the recording of a run that is over: its updates, one a line, deflated, in base64. */
   static async of(base64) {
     const updates = new TextDecoder().decode(await inflated(bytesOf(base64))).split('\n');
     const [run, more, { outcome, summary }] = updates.map((update) => JSON.parse(update));
@@ -21,15 +21,15 @@ export class Recording {
     return Object.assign(recording, { outcome, summary });
   }
 
-  /** Of a run that begins, an update `run`. */
+  /** Creates the recording of a run that begins with an update `run`. */
   constructor({ run, robot, scene, script, channels, inputs }) {
     Object.assign(this, { run, robot, scene, script, channels, inputs });
     this.outcome = { how: 'limit' };
     this.cycles = 1;
     this.first = 0;
-    // From which frame on those that were known have changed.
+    // The first frame that has changed since the last drawing.
     this.changed = 0;
-    // Whether the last frame is there for the moment only.
+    // True if the next update replaces the last frame.
     this.provisional = false;
     [this.frames, this.frameTimes] = [[], []];
     this.columns = Object.fromEntries(channels.map((name) => [name, []]));
@@ -42,41 +42,41 @@ export class Recording {
     });
   }
 
-  /** The cycles and values under a key of the log. */
+  /** Returns the cycles and values under a key of the log. */
   entries(key) {
     return this.log.get(key) ?? NOTHING;
   }
 
-  /** The cycle of the last entry under a key, up to a cycle; none before the first. */
+  /** Returns the cycle of the last entry under a key, up to a cycle; undefined before the first. */
   lastOf(key, cycle) {
     const { cycles } = this.entries(key);
     return cycles[countUpTo(cycles, cycle) - 1];
   }
 
-  /** The value under a key at the end of a cycle; none before the first entry. */
+  /** Returns the value under a key at the end of a cycle; undefined before the first entry. */
   at(key, cycle) {
     const { cycles, values } = this.entries(key);
     return values[countUpTo(cycles, cycle) - 1];
   }
 
-  /** The numbers of things of a kind, such as lamps, that have entries. */
+  /** Returns the numbers of the things of a kind, such as lamps, that have entries. */
   numbers(kind) {
     const keys = [...this.log.keys()].map((key) => key.split('.'));
     return keys.filter(([of]) => of === kind).map(([, number]) => Number(number)).sort((one, other) => one - other);
   }
 
-  /** When a cycle was over: ms. */
+  /** Returns the time at the end of a cycle, ms. */
   endOf(cycle) {
     const [from, time, period] = this.at('clock', cycle) ?? START;
     return time + (cycle - from + 1) * period;
   }
 
-  /** The last cycle that was over at a time. */
+  /** Returns the last cycle that had ended at a time. */
   cycleAt(time) {
     return Math.min(this.countAt(time), this.cycles - 1);
   }
 
-  /** The same, counted on after the end of the run. */
+  /** Returns the same, but counts on after the end of the run. */
   countAt(time) {
     const { values } = this.entries('clock');
     const [from, begin, period] = values[countUpTo(values, time, ([, begin, period]) => begin + period - 1e-6) - 1] ?? values[0] ?? START;
@@ -87,22 +87,25 @@ export class Recording {
     return this.script.lines[this.at('step', cycle)];
   }
 
-  /** Whether a fault ended the run in this cycle, or right after it: a trace has no record of the cycle of a fault. */
+  /** Returns true if a fault ended the run in this cycle or right after it: a trace has no record of the cycle of a fault. */
   isStoppedAt(cycle) {
     return this.outcome.how === 'emergency' && cycle === this.cycles - 1;
   }
 
-  /** The line to mark: that which stopped the run, else that which runs. */
+  /** Returns the line to mark: the one that stopped the run, else the one that runs. */
   markedLineAt(cycle) {
     return (this.isStoppedAt(cycle) && this.outcome.line) || this.lineAt(cycle);
   }
 
-  /** A time as the terminal tells it, ms: it stands still in the cycle of a fault, which here takes as long as others. */
+  /** Returns a time as the terminal shows it, ms. There, the cycle of a fault takes no time; here, it takes a sampling time. */
   told(time) {
     return time > this.duration ? time : Math.min(time, this.outcome.time ?? time);
   }
 
-  /** The next cycle after `cycle` in which a line begins to run, around the end; none if it never does. */
+  /**
+   * Returns the next cycle in which a line begins to run, from the start again after the last one; undefined if it never
+   * runs.
+   */
   nextRunOf(line, cycle) {
     const steps = new Set(this.stepsOfLine.get(line));
     if (!steps.size) return undefined;
@@ -120,18 +123,18 @@ export class Recording {
     return all.length ? Math.min(...(later.length ? later : all)) : undefined;
   }
 
-  /** The names of the program's threads. */
+  /** Names of the program's threads. */
   get threads() {
     return this.script.threads ?? [];
   }
 
-  /** The threads that ran in a cycle, with their lines. */
+  /** Returns the threads that ran in a cycle, with their lines. */
   threadsAt(cycle) {
     const lines = this.threads.map((name, thread) => ({ name, line: this.script.lines[this.at(`thread.${thread + 1}`, cycle)] }));
     return lines.filter(({ line }) => line !== undefined);
   }
 
-  /** The timers that were used until the end of a cycle: ms. */
+  /** Returns the timers that were used up to the end of a cycle, with their times, ms. */
   timersAt(cycle) {
     const timers = this.numbers('timer').filter((timer) => this.at(`timer.${timer}`, cycle));
     return timers.map((timer) => {
@@ -144,13 +147,13 @@ export class Recording {
     return this.at('message', cycle) ?? '';
   }
 
-  /** Whether each foot or fingertip touches something. */
+  /** Returns true for each foot or fingertip that touches something. */
   touchesAt(cycle) {
     const mask = this.at('contacts', cycle) ?? 0;
     return this.robot.legs.map((_, leg) => Math.floor(mask / 2 ** leg) % 2 === 1);
   }
 
-  /** From when to when (ms) a foot stands, or a fingertip touches something. */
+  /** Returns the intervals (ms) in which a foot stands, or a fingertip touches something. */
   stances(leg) {
     const found = [];
     let begin;
@@ -169,7 +172,7 @@ export class Recording {
     return found;
   }
 
-  /** Two frames and how far it is from the one to the other. */
+  /** Returns the frames around a time, and the share of the way from the first to the second. */
   between(time) {
     const after = Math.min(Math.max(countUpTo(this.frameTimes, time), 1), this.frameTimes.length - 1);
     const before = Math.max(after - 1, 0);
@@ -178,7 +181,7 @@ export class Recording {
     return { before, after: Math.max(after, 0), share };
   }
 
-  /** A channel at a time, between frames on a straight line. */
+  /** Returns the value of a channel at a place between frames, by linear interpolation. */
   value(name, { before, after, share }) {
     const column = this.columns[name];
     return column && column[before] + (column[after] - column[before]) * share;
@@ -188,7 +191,7 @@ export class Recording {
     return name in this.columns;
   }
 
-  /** The pose and the joint angles at a place between frames. */
+  /** Returns the pose and the joint angles at a place between frames. */
   posture(place) {
     const value = (name) => this.value(name, place) ?? 0;
     const angles = this.robot.legs.map((leg, l) => leg.joints.map((_, j) => value(`angle.${l}.${j}`)));
@@ -196,7 +199,7 @@ export class Recording {
     return { pose, angles };
   }
 
-  /** Where something happened that one may want to go to, in order: `{cycle, kind, value}`. */
+  /** Returns the cycles with something to look at, in order: `{cycle, kind, value}`. */
   get marks() {
     const of = (key, kind, value = (value) => value) => {
       const { cycles, values } = this.entries(key);
@@ -216,12 +219,12 @@ export class Recording {
     return largest;
   }
 
-  /** Another run in the place of this one. */
+  /** Replaces the recording by that of another run. */
   begin(run) {
     return Object.assign(this, new Recording(run));
   }
 
-  /** What has happened, an update `more`. */
+  /** Takes an update `more`. */
   take(more) {
     this.cut(more.from);
     for (const [key, [cycles, values]] of Object.entries(more.log)) {
@@ -245,7 +248,7 @@ export class Recording {
     motion.forEach((column, n) => append(this.columns[this.channels[n]], sums(column).map((value) => value / HUNDREDTHS)));
   }
 
-  /** Takes away what was known of cycles from `from` on, and a frame that was there for the moment only. */
+  /** Removes the entries of cycles from `from` on, and a provisional frame. */
   cut(from) {
     const kept = Math.min(countBefore(this.frames, from), this.frames.length - (this.provisional ? 1 : 0));
     this.changed = Math.min(this.changed, kept);
@@ -256,7 +259,7 @@ export class Recording {
     }
   }
 
-  /** Forgets what was before a cycle, but for what still holds. */
+  /** Removes the entries before a cycle, except those that still hold. */
   forget(first) {
     this.first = first;
     const frames = countBefore(this.frames, first);
@@ -274,18 +277,18 @@ export class Recording {
   }
 }
 
-/** How many of the ordered values are below `value`. */
+/** Returns the number of ordered values below `value`. */
 function countBefore(values, value, of) {
   return countUpTo(values, value - 0.5, of);
 }
 
-/** Running sums. */
+/** Returns the running sums of differences. */
 function sums(differences) {
   let sum = 0;
   return differences.map((difference) => (sum += difference));
 }
 
-/** Puts values behind those of a list. */
+/** Appends values to a list. */
 function append(list, values) {
   for (const value of values) list.push(value);
 }

@@ -1,4 +1,4 @@
-// A recording of nothing: the graphics get ready with it while the one to show still comes.
+// An empty recording, with which the graphics compile their shaders while the real one loads.
 
 const joint = { axis: [0, 0, 1], link: [0, 0, 1], mass: 0 };
 

@@ -1,4 +1,4 @@
-// The page of a run that is over, which it holds.
+// The page that contains the recording of a run.
 
 import { element } from './dom.js';
 import { exporting } from './export.js';
@@ -12,7 +12,7 @@ import { endOf, listMarks, state } from './state.js';
 import { timeline } from './timeline.js';
 import { whenSpoken, word } from './words.js';
 
-/** Shows the run that is held in an element. */
+/** Shows the recording in an element. */
 export async function openReplay(held) {
   let player;
   languages(() => player?.goToTime(player.time));
@@ -28,7 +28,7 @@ export async function openReplay(held) {
   });
   stage?.begin(recording);
   if (other) stage?.compare(other);
-  // Charts can wait until the robot is there.
+  // Charts are built after the first picture of the robot.
   let plots;
   const charts = () => (plots ??= new Plots(player));
   const strip = timeline(player);
@@ -74,16 +74,16 @@ export async function openReplay(held) {
   const { dataset } = document.documentElement;
   dataset.ready = Math.round(performance.now());
   requestAnimationFrame(() => setTimeout(charts));
-  // A page around this one may have it play at once.
+  // A page around this one may ask it to play immediately.
   if (dataset.plays !== undefined) player.play();
 }
 
-/** The name of a run's file, without folders and extension. */
+/** Returns the name of a run's file without folders and extension. */
 function stem({ script }) {
   return script.name.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
 }
 
-/** The cycle of `#cycle=611`. */
+/** Returns the cycle of an address such as `#cycle=611`. */
 function linked() {
   const cycle = new URLSearchParams(location.hash.slice(1)).get('cycle');
   return /^\d+$/.test(cycle ?? '') ? Number(cycle) : undefined;
@@ -96,7 +96,7 @@ function rememberPlace(player) {
     try {
       history.replaceState(null, '', `#cycle=${player.place}`);
     } catch {
-      // A page inside another one may have no address of its own.
+      // A page inside another one may be unable to change its address.
     }
   }, 200);
 }

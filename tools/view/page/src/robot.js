@@ -1,4 +1,4 @@
-// The robot's body and links as solids, in true proportion.
+// The robot's body and links as solids, to scale.
 
 import { BoxGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
@@ -8,7 +8,7 @@ import { Solid } from './solid.js';
 
 const UP = new Vector3(0, 1, 0);
 
-/** How long the longest leg is when it is straight: mm. */
+/** Returns the length of the longest leg when it is straight, mm. */
 export function reach(robot) {
   const lengths = robot.legs.map((leg) => leg.joints.reduce((sum, { link }) => sum + Math.hypot(...link), 0));
   return Math.max(...lengths, 1);
@@ -19,14 +19,14 @@ export class RobotSolid extends Solid {
     const thick = reach(robot) * 0.042;
     const trunk = robot.body ? bodyParts(robot.body, thick) : palmParts(robot, thick);
     const links = robot.legs.flatMap((leg, l) => leg.joints.map((joint, j) => linkParts(leg, l, joint, j, thick)));
-    // What moves as one has the same bone: the trunk the first, then each link its own.
+    // Parts that move together have the same bone: 0 for the trunk, then one for each link.
     const parts = [trunk, ...links].flatMap((parts, bone) => parts.map((part) => ({ ...part, bone })));
     super(parts, new MeshLambertMaterial({ vertexColors: true }));
     this.robot = robot;
     this.recolour();
   }
 
-  /** Takes the colours of the page's scheme. */
+  /** Applies the colours of the page's scheme. */
   recolour() {
     const chosen = new Map();
     this.paint(({ name, leg }) => {
@@ -36,7 +36,7 @@ export class RobotSolid extends Solid {
     });
   }
 
-  /** Puts it into a posture. */
+  /** Moves the robot to a posture. */
   pose(posture) {
     const trunk = placed(posture.pose);
     const bones = [trunk];
@@ -52,7 +52,7 @@ function bodyParts({ x, y, z }, thick) {
   const size = [x, y, z].map(([min, max]) => Math.max(max - min, thick));
   const middle = [x, y, z].map(([min, max]) => (min + max) / 2);
   const trunk = new RoundedBoxGeometry(...size, 2, Math.min(...size) * 0.12);
-  // A plate on top, and a window in front, show where forward is.
+  // A plate on top and a window in front show the direction forward.
   const plate = new BoxGeometry(size[0] * 0.62, size[1] * 0.7, thick * 0.3);
   const nose = new BoxGeometry(size[0] * 0.5, thick * 0.3, size[2] * 0.16);
   return [
@@ -62,7 +62,7 @@ function bodyParts({ x, y, z }, thick) {
   ];
 }
 
-/** What fingers, or the legs of a robot that is bolted down, begin on. */
+/** Returns the parts of the base that carries fingers or the legs of a robot that is bolted down. */
 function palmParts({ legs, planar }, thick) {
   const ends = [0, 1, 2].map((axis) => {
     const places = legs.map(({ base }) => base[axis]);
@@ -83,10 +83,10 @@ function linkParts(leg, l, { axis, link }, j, thick) {
   if (length > 1e-6) {
     const along = new Vector3(...link).normalize();
     const add = (geometry, at, name, leg) => parts.push({ geometry: turned(geometry, along, at), name, leg });
-    // Its ends are inside joints, but for the last.
+    // The ends of a link are inside joints, except that of the last one.
     add(new CylinderGeometry(radius * 0.72, radius * 0.98, length, 12, 1, !last), length / 2, 'robot-link');
     if (last) {
-      // Its end is exactly where kinematics has the foot.
+      // The tip of the ball is exactly at the foot of the kinematics.
       add(new SphereGeometry(radius * 0.95, 12, 8), length - radius * 0.95, 'leg', l);
       add(new CapsuleGeometry(radius * 0.8, radius, 2, 12), length - radius * 1.8, 'leg', l);
     }
@@ -94,12 +94,12 @@ function linkParts(leg, l, { axis, link }, j, thick) {
   return parts;
 }
 
-/** A geometry whose axis was up, along a direction and so far that way. */
+/** Turns a geometry with an upright axis along a direction, and moves it by `at` in that direction. */
 function turned(geometry, direction, at = 0) {
   return geometry.applyMatrix4(new Matrix4().makeRotationFromQuaternion(towards(direction)).setPosition(direction.clone().multiplyScalar(at)));
 }
 
-/** Turns the unit vector up into a direction. */
+/** Returns the rotation of the unit vector up into a direction. */
 export function towards(direction) {
   return new Quaternion().setFromUnitVectors(UP, direction);
 }

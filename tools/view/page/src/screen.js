@@ -1,17 +1,17 @@
-// Draws a scene into a canvas, with as many pixels as the machine is quick enough for.
+// Draws a scene into a canvas, with a resolution that suits the speed of the machine.
 
 import { ColorManagement, LinearSRGBColorSpace, PCFShadowMap, WebGLRenderer } from 'three';
 
-// Colours are mixed as screens have them: no powers are taken for each pixel.
+// Colours are mixed in sRGB, which saves conversions of each pixel.
 ColorManagement.enabled = false;
 
-/** A frame that comes so late is slow: ms. */
+/** Delay of a frame above which the machine is slow, ms. */
 const SLOW = 30;
-/** Which share of the pixels along each side is drawn, from fast machines to slow ones. */
+/** Resolutions relative to the screen, from fast machines to slow ones. */
 const SHARES = [1, 0.7, 0.5, 0.35];
-/** After so long without motion all pixels are drawn: ms. */
+/** Time without motion after which the full resolution is drawn, ms. */
 const REST = 300;
-/** Where edges are not smooth of themselves, so many pixels along each side of one make them so at rest. */
+/** Resolution at rest for software rendering, which has no antialiasing. */
 const FINE = 2;
 
 export class Screen {
@@ -22,7 +22,7 @@ export class Screen {
     this.sparing = this.isSoftware ? 1 : 0;
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSoftware, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
-    // Nothing waits until a shader is compiled.
+    // This check would wait for the compilation of each shader.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -35,17 +35,17 @@ export class Screen {
     this.usePixels(1);
   }
 
-  /** Lets the graphics compile what a scene needs, while the page does something else. */
+  /** Starts to compile the shaders of a scene in the background. */
   prepareFor(scene, camera) {
     this.renderer.compile(scene, camera);
   }
 
-  /** Waits for what they compile, before a frame would. */
+  /** Waits until the shaders are compiled, so that the first frame need not. */
   settle() {
     this.renderer.info.programs.forEach((program) => program.getUniforms());
   }
 
-  /** Draws before the browser shows the page again, however often it is asked to. */
+  /** Draws once in the next frame of the browser, for any number of calls. */
   draw() {
     if (this.due) return;
     const asked = performance.now();
@@ -55,7 +55,7 @@ export class Screen {
     });
   }
 
-  /** A machine whose frames come late draws fewer pixels while things move, and all of them at rest. */
+  /** Lowers the resolution during motion if frames come late, and raises it again. */
   adapt(late) {
     if (late > SLOW) this.sparing = Math.min(this.sparing + 1, SHARES.length - 1);
     else if (late < SLOW / 3 && this.sparing) this.sparing = Math.max(this.sparing - 0.02, 0);
@@ -77,14 +77,14 @@ export class Screen {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * share);
   }
 
-  /** Draws at once, with all pixels. */
+  /** Draws immediately, in full resolution. */
   drawNow() {
     this.usePixels(1);
     this.render();
     this.rest();
   }
 
-  /** Draws at once, as well as it can. */
+  /** Draws immediately, in the best resolution. */
   drawFine() {
     this.usePixels(this.isSoftware ? FINE : 1);
     this.render();
@@ -93,7 +93,7 @@ export class Screen {
   render() {
     cancelAnimationFrame(this.due);
     this.due = undefined;
-    // Where frames come late, shadows follow in every third one.
+    // With a lowered resolution, shadows are updated only in every third frame.
     this.frame += 1;
     this.renderer.shadowMap.autoUpdate = this.share >= 1;
     this.renderer.shadowMap.needsUpdate = this.frame % 3 === 0;
@@ -101,7 +101,7 @@ export class Screen {
   }
 }
 
-/** Whether the processor draws. */
+/** Returns true if the processor draws, not a graphics card. */
 function isSoftware() {
   const probe = document.createElement('canvas').getContext('webgl2');
   const named = probe?.getExtension('WEBGL_debug_renderer_info');

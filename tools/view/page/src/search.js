@@ -1,6 +1,6 @@
-// Looking things up in order.
+// Binary search in ordered lists.
 
-/** How many of the ordered values are not above `value`. */
+/** Returns the number of ordered values up to and including `value`. */
 export function countUpTo(values, value, of = (one) => one) {
   let [low, high] = [0, values.length];
   while (low < high) {

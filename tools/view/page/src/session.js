@@ -1,14 +1,14 @@
-// A live run, wherever it is: behind a WebSocket (socket.js), or in a module of this page.
+// The interface of a session, which holds a live run: behind a WebSocket (socket.js), or in a module of this page.
 //
 // A session has two functions:
 //
-//   send(request)       asks for something: an object from below. Its answer is an update like the others.
-//   listen(listener)    calls listener(update) for each update from now on, the first ones bringing all that there is.
+//   send(request)       sends a request: an object from the list below. Its answer is one of the updates.
+//   listen(listener)    calls listener(update) for each update from now on. The first ones have the whole state.
 //
-// and may have a third, watch(listener), which calls listener(true) when it is reached and listener(false) when it is not.
-// After it is reached anew it begins anew, with an update `run`.
+// It may have a third one, watch(listener), which calls listener(true) when the session is connected and listener(false) when it
+// is lost. After a new connection the updates begin again with `run`.
 //
-// A page that replays a run holds three updates, one a line: `run`, one `more`, and a `status` with outcome and summary alone.
+// A page that replays a run contains three updates, one a line: `run`, one `more`, and a `status` with outcome and summary alone.
 //
 // Requests; each may have a number `id`, which its answer repeats:
 //
@@ -20,9 +20,9 @@
 //   {do: 'restart'}                       runs the text of the editor from the beginning
 //   {do: 'edit', text, base, by}          another text in the place of version `base`, by a viewer of that name
 //   {do: 'save'}   {do: 'reload'}         writes the text to its file, or takes that of the file
-//   {do: 'hover', at}                     what is known of the word at a place (line and UTF-16 column, from 1); the answer has
+//   {do: 'hover', at}                     the meaning of the word at a place (line and UTF-16 column, from 1); the answer has
 //                                         `hover`: {from, to, text}, Markdown in English and Japanese, or null
-//   {do: 'complete', at}                  what can be written there; the answer has `offers`: [{label, detail, description,
+//   {do: 'complete', at}                  completions at a place; the answer has `offers`: [{label, detail, description,
 //                                         from, to, text, fills}]: descriptions in English and Japanese, and the
 //                                         text a snippet of LSP if it `fills` places
 //
@@ -30,18 +30,18 @@
 //
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
 //              what has sliders
-//   more       {run, first, from, cycles, log, frames, now}: what happened up to cycle `cycles`. What was known of cycles from
-//              `from` on is not so any more, and what was before `first` is forgotten, but for what still holds. `log` has under
-//              each key below a column of cycles and one of values. `frames` has a column of cycles and one for each channel
-//              (0.01 mm, deg or N). Columns of cycles and motion hold differences. `now` is a frame of the last cycle that the
-//              next update takes back, or null
+//   more       {run, first, from, cycles, log, frames, now}: the run up to cycle `cycles`. It replaces the entries of cycles
+//              from `from` on. Entries before `first` are removed, except the last one of each key, which still holds. `log` has
+//              a column of cycles and one of values under each key below. `frames` has a column of cycles and one for each
+//              channel (0.01 mm, deg or N). Columns of cycles and motion hold differences. `now` is a frame of the last cycle,
+//              which the next update removes, or null
 //   text       {version, by, text}: the text of the editor
-//   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
-//              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
-//   status     {playing, speed, late, over, outcome, summary, running, changed, overtaken}: whether the run keeps up, how and when it
-//              ended, its figures (docs/files.md) unless it plays,
-//              which version of the text runs, whether that of the editor is not the file's, and whether someone else
-//              has changed the file
+//   findings   {version, findings, good}: the diagnostics of the text; `good` is true if it is a program. Each has `level`,
+//              `code`, `from` and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
+//   status     {playing, speed, late, over, outcome, summary, running, changed, overtaken}. `late`: the run does not keep up;
+//              `outcome`: how and when it ended; `summary`: its figures (docs/files.md), unless it plays; `running`: the
+//              version of the text that runs; `changed`: the text of the editor differs from the file; `overtaken`: someone
+//              else has changed the file
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
 //              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
 
@@ -58,7 +58,7 @@
 //   fall        [count, margin, kind]: falls so far, mm       slip.N      how far a foot, from 0, had slipped when that was noticed (mm)
 //   event       what happened from outside, as a text
 
-/** Sends requests, and calls `refused(answer)` for each that is not fulfilled. */
+/** Sends requests, and calls `refused(answer)` for each one that is refused. */
 export class Requests {
   constructor(session, refused) {
     this.session = session;
@@ -71,7 +71,7 @@ export class Requests {
       this.asked.delete(update.id);
       take(update);
     });
-    // What was asked of a session that is lost is not answered any more.
+    // A lost session does not answer its open questions.
     session.watch?.(() => {
       this.asked.forEach((take) => take({ ok: false }));
       this.asked.clear();
@@ -84,7 +84,7 @@ export class Requests {
     return this.last;
   }
 
-  /** The answer to a question, whether it is fulfilled or not. */
+  /** Resolves to the answer to a question, also if it is refused. */
   ask(question) {
     return new Promise((take) => {
       this.asked.set(this.last + 1, take);

@@ -1,9 +1,9 @@
-// What can be plotted: groups of signals with one unit each.
+// The signals that can be plotted, in groups with a common unit.
 
 import { countUpTo } from './search.js';
 import { word } from './words.js';
 
-/** Every group of a recording, with its signals: name, words, unit, and values by frame or by change. */
+/** Returns the groups of a recording with their signals: name, unit, and values by frame or by change. */
 export function signalGroups(recording) {
   const { robot } = recording;
   const columns = (list) => list.filter(({ column }) => recording.has(column));
@@ -26,7 +26,7 @@ export function signalGroups(recording) {
   return groups.filter(({ signals }) => signals.length);
 }
 
-/** What is plotted at first. */
+/** Returns the signals that are plotted at first. */
 export function firstChoice(recording) {
   const walker = ['margin.0', 'body.2', ...recording.robot.legs.map((_, leg) => `load.${leg}`)];
   const hand = ['objects.0', ...recording.robot.legs.map((_, leg) => `load.${leg}`)];
@@ -35,28 +35,28 @@ export function firstChoice(recording) {
   return new Set(recording.has('load.0') ? hand : arm);
 }
 
-/** The value of a signal at a time (ms); none after the end of the run, and none of a variable before it is assigned. */
+/** Returns the value of a signal at a time (ms); undefined after the end of the run, and for a variable before it is assigned. */
 export function valueOf(recording, { column, scalar }, time) {
   if (time > recording.duration) return undefined;
   if (column) return recording.value(column, recording.between(time));
   return recording.at(`set.${scalar}`, recording.cycleAt(time));
 }
 
-/** The same signal of another recording, of a variable by its name; none if that has none. */
+/** Returns the same signal of another recording; variables are found by their names. Undefined if there is none. */
 export function counterpart(recording, signal) {
   if (signal.column) return recording.has(signal.column) ? signal : undefined;
   const scalar = recording.script.scalars.indexOf(signal.name());
   return scalar < 0 ? undefined : { ...signal, scalar };
 }
 
-/** Times (s) and values of signals of one group, on common times, from a time (ms) on. */
+/** Returns times (s) and the values of signals of a group at these times, from a time (ms) on. */
 export function series(recording, signals, begin = -Infinity) {
   if (signals.every(({ column }) => column)) {
     const from = Math.max(countUpTo(recording.frameTimes, begin) - 1, 0);
     const times = Array.from(recording.frameTimes.slice(from), (time) => time / 1000);
     return [times, ...signals.map(({ column }) => recording.columns[column].slice(from))];
   }
-  // Variables: where one of them changes, and just before.
+  // Variables have values at each change of one of them, and just before it.
   const first = begin > 0 ? recording.cycleAt(begin) : 0;
   const cycles = new Set([first, recording.cycles - 1]);
   for (const { scalar } of signals) {

@@ -1,6 +1,6 @@
-// A session at the other end of a WebSocket, which is reached anew when it was lost.
+// A session behind a WebSocket, which reconnects after a loss.
 
-/** How soon it is tried again: ms, doubled up to the last. */
+/** First delay of a reconnection, ms. Each further one is twice as long, up to LAST. */
 const FIRST = 250;
 const LAST = 4000;
 

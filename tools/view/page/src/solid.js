@@ -1,11 +1,11 @@
-// Parts of different colours that move with bones, as one mesh: one call draws them all. Each corner moves with one bone, and
-// few corners are there: they are moved here, once for all passes, and not by a shader for four bones in each.
+// Parts of different colours that move with bones, as one mesh that one call draws. Each corner moves with one bone. There are
+// few corners, so they are moved here once for all passes. A skinning shader would compute four bones for each corner and pass.
 
 import { BufferAttribute, Color, DynamicDrawUsage, Mesh } from 'three';
 import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 
 export class Solid extends Mesh {
-  /** Of parts { geometry, name, leg, bone }: the name and the leg choose the colour, the bone is a number. */
+  /** Creates a mesh of parts { geometry, name, leg, bone }: name and leg choose the colour; bone is an index. */
   constructor(parts, material) {
     const geometries = parts.map(({ geometry }) => {
       geometry.deleteAttribute('uv');
@@ -18,11 +18,11 @@ export class Solid extends Mesh {
     this.geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * position.count), 3));
     this.castShadow = true;
     this.receiveShadow = true;
-    // Its parts are where their bones are.
+    // The bounding sphere of the mesh does not move with its parts.
     this.frustumCulled = false;
   }
 
-  /** Paints each part as `of` says. */
+  /** Gives each part the colour that `of` returns. */
   paint(of) {
     const { color } = this.geometry.attributes;
     let at = 0;
@@ -33,10 +33,10 @@ export class Solid extends Mesh {
     color.needsUpdate = true;
   }
 
-  /** Puts the bones where these matrices have them. */
+  /** Moves the bones to these matrices. */
   move(bones) {
     this.moving.forEach(({ attribute, still }, kind) => {
-      // Places are shifted, directions only turned.
+      // Positions are shifted and turned, normals only turned.
       const shift = kind === 0 ? 1 : 0;
       const { array } = attribute;
       let at = 0;

@@ -1,4 +1,4 @@
-// The program, with the line that runs, and those of its threads.
+// The listing of the program, with the line that runs and those of its threads.
 
 import { element, fixed, make } from './dom.js';
 import { spark } from './spark.js';
@@ -20,7 +20,7 @@ export function source(player, plot) {
     const line = target.closest('li');
     if (line) goToLine(player, Number(line.value));
   });
-  // One line can be reached by Tab, the others from there by arrows.
+  // Tab reaches one line, and the arrow keys reach the others from there.
   const lines = rows.filter((row) => row.matches('.step')).map((row) => row.firstElementChild);
   const rove = (to) => {
     lines.forEach((button) => (button.tabIndex = button === to ? 0 : -1));
@@ -57,7 +57,8 @@ export function source(player, plot) {
       button.setAttribute('aria-label', `${word('line')} ${button.textContent}${never ? `, ${word('never')}` : ''}`);
     }
   });
-  // Every row is as high as the first. What is measured here need not be asked for in every frame, when it would have to be laid out.
+  // All rows have the height of the first one. The sizes are measured once, since a measurement in every frame would force a
+  // layout.
   const size = { top: 0, row: 0, shown: 0, from: 0 };
   const measure = () => {
     const [{ offsetTop: top, offsetHeight: row }, { clientHeight: shown, scrollTop: from }] = [rows[0], list];
@@ -102,7 +103,7 @@ export function source(player, plot) {
   player.onRest(lightThreads);
 }
 
-/** A value in few digits. */
+/** Formats a value with few digits. */
 export function shown(value) {
   return Number.isInteger(value) ? String(value) : fixed(value, Math.abs(value) < 10 ? 3 : 2);
 }

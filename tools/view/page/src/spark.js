@@ -1,10 +1,10 @@
-// A variable over the whole run, as small as a word.
+// A small plot of a variable over the whole run.
 
 const SVG = 'http://www.w3.org/2000/svg';
-/** px. */
+/** Size and margin, px. */
 const [WIDTH, HEIGHT, EDGE] = [150, 30, 2];
 
-/** Its values from the first cycle to the last, and where among them one is. */
+/** Draws the values of a scalar from the first cycle to the last, with a line at the present cycle. */
 export function spark(recording, scalar, cycle) {
   const picture = draw('svg', { class: 'spark', width: WIDTH, height: HEIGHT, viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': 'true' });
   const { cycles, values } = recording.entries(`set.${scalar}`);
@@ -13,7 +13,7 @@ export function spark(recording, scalar, cycle) {
   const x = (cycle) => ((cycle - first) / Math.max(recording.cycles - 1 - first, 1)) * (WIDTH - 2 * EDGE) + EDGE;
   const [low, high] = values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
   const y = (value) => HEIGHT - EDGE - (high > low ? (value - low) / (high - low) : 0.5) * (HEIGHT - 2 * EDGE);
-  // Of what changes within half a pixel, the line goes through the lowest and the highest.
+  // Within half a pixel, the line goes through the lowest and the highest value.
   let path = '';
   for (let n = 0; n < values.length; ) {
     const at = x(cycles[n]);

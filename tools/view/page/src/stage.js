@@ -11,16 +11,16 @@ import { RobotSolid, reach } from './robot.js';
 import { Screen } from './screen.js';
 import { Surroundings } from './surroundings.js';
 
-/** How long foot trails are: ms. */
+/** Length of the trails of feet, ms. */
 const TRAIL = 4000;
-/** How long a slip stays marked: ms. */
+/** Time around a slip in which it is marked, ms. */
 const MARKED = 1500;
-/** A belly so far above the floor carries as well: mm. */
+/** Height above the floor up to which a corner of the body's lower side counts as support, mm. */
 const TOUCHES = 0.5;
 const GRAVITY = 9.80665;
 
 export class Stage {
-  /** It shows nothing before `begin`, but its graphics get ready. */
+  /** Creates a stage that shows nothing before `begin`, but compiles its shaders. */
   constructor(canvas) {
     this.canvas = canvas;
     this.shows = { follow: true, trails: true, forces: true, labels: true, support: true };
@@ -33,7 +33,7 @@ export class Stage {
     setTimeout(() => this.screen.settle());
   }
 
-  /** The robot of a recording and its surroundings, in the place of those before. */
+  /** Shows the robot and the surroundings of a recording, in place of the previous ones. */
   begin(recording = this.recording) {
     const before = this.scene;
     const { robot } = recording;
@@ -46,13 +46,13 @@ export class Stage {
     const { controls } = this;
     controls.maxPolarAngle = robot.planar ? Math.PI : Math.PI * 0.495;
     [controls.minDistance, controls.maxDistance] = [this.size * 0.4, this.size * 20];
-    // The page's up is y; a walker's is z.
+    // In the scene y is up; in the world of a walking robot z is.
     this.world = new Group();
     if (!robot.planar) this.world.rotation.x = -Math.PI / 2;
     this.scene.add(this.world);
     this.light();
     this.solid = new RobotSolid(robot);
-    // The processor has shadows to draw on the floor, and no time for those on the robot.
+    // Software rendering has no time for shadows on the robot, only for those on the floor.
     if (this.screen.isSoftware) this.solid.receiveShadow = false;
     this.surroundings = new Surroundings(this.recording, this.size);
     this.marks = new Marks(this.size, robot.legs.length);
@@ -63,7 +63,7 @@ export class Stage {
     this.resize();
     this.resetView();
     this.screen.prepareFor(this.scene, this.camera);
-    // What both need of the graphics is kept.
+    // The old scene is released last, so that resources which both scenes use are kept.
     if (before) release(before);
   }
 
@@ -88,7 +88,7 @@ export class Stage {
     this.scene.add(this.sun, this.sun.target);
   }
 
-  /** Takes the colours of the page's scheme. */
+  /** Applies the colours of the page's scheme. */
   recolour() {
     const background = new Color(colour('stage'));
     this.scene.background = background;
@@ -111,7 +111,7 @@ export class Stage {
     this.screen.draw();
   }
 
-  /** What the view is about, in the page's axes. */
+  /** Returns the centre of the view, in the axes of the scene. */
   focus() {
     if (this.robot.planar) return new Vector3(0, -this.size * 0.32, 0);
     const place = this.place ?? this.recording.between(0);
@@ -126,7 +126,7 @@ export class Stage {
     if (!width || !height) return;
     this.screen.resize(width, height);
     this.camera.aspect = width / height;
-    // On a narrow page the robot keeps its width.
+    // A narrow page gets a wider field of view, so that the robot keeps its width.
     this.camera.fov = this.camera.aspect < 1.2 ? 2 * Math.atan(Math.tan(0.28) * (1.2 / this.camera.aspect)) * (180 / Math.PI) : 32;
     this.camera.updateProjectionMatrix();
     this.screen.draw();
@@ -141,7 +141,7 @@ export class Stage {
     this.solid.pose(this.posture);
     if (this.ghost) {
       const posture = this.other.posture(this.other.between(time));
-      // Drives do not tell where the body is: robots are compared at one place then.
+      // Recordings of real robots have no pose. Then both robots are shown at the same place.
       if (!this.posture.pose || !posture.pose) posture.pose = this.posture.pose;
       this.ghost.pose(posture);
     }
@@ -166,14 +166,14 @@ export class Stage {
     this.camera.position.add(moved);
   }
 
-  /** Where the feet were in a frame; looked up once. */
+  /** Returns the places of the feet in a frame, which are computed once. */
   feetOf(frame) {
     this.known ??= [];
     this.known[frame] ??= feet(this.robot, this.recording.posture({ before: frame, after: frame, share: 0 }));
     return this.known[frame];
   }
 
-  /** Frames from one on are other ones now. */
+  /** Forgets the feet of frames from one on, which have changed. */
   forget(frame) {
     if (this.known?.length > frame) this.known.length = frame;
   }
@@ -219,7 +219,7 @@ export class Stage {
     });
   }
 
-  /** Names of feet and axes, the axes of the robot's frame, and an arrow on the floor to where forward is. */
+  /** Shows the names of feet and axes, the axes of the robot's frame, and an arrow forward on the floor. */
   showLabels() {
     this.labels.visible = this.shows.labels;
     if (!this.shows.labels) return;
@@ -236,12 +236,12 @@ export class Stage {
     this.labels.put(this.ends, axes, front);
   }
 
-  /** Draws at once, with all pixels. */
+  /** Draws immediately, in full resolution. */
   drawNow() {
     this.screen.drawNow();
   }
 
-  /** Draws at once, as well as it can. */
+  /** Draws immediately, in the best resolution. */
   drawFine() {
     this.screen.drawFine();
   }
@@ -255,7 +255,7 @@ export class Stage {
   }
 }
 
-/** Lets go of what the graphics have of a scene. */
+/** Releases the graphics resources of a scene. */
 function release(scene) {
   scene.traverse(({ isLight, shadow, geometry, material }) => {
     if (isLight) shadow?.dispose();

@@ -1,4 +1,4 @@
-// How the program and the robot are: message, lamps, keys, what each leg was told last, variables; and what happened.
+// The state of program and robot: message, lamps, inputs, the last command of each leg, variables; and the list of events.
 
 import { clockTime, element, fixed, make } from './dom.js';
 import { feet } from './kinematics.js';
@@ -6,20 +6,20 @@ import { countUpTo } from './search.js';
 import { shown } from './source.js';
 import { label, whenSpoken, word } from './words.js';
 
-/** How long a key stays lit, and a fall is announced: ms. */
+/** Times for which a key stays lit and a fall is announced, ms. */
 const PRESSED = 600;
 const ANNOUNCED = 2000;
 
-/** So near to its limit a joint is at it: deg. */
+/** Distance from a limit within which a joint counts as at the limit, deg. */
 const NEAR = 0.5;
 
 const legName = (recording, leg) => `F${leg + 1}`;
 
-/** `assign(name, value)`, if there is one, gives a variable a value. */
+/** Shows the state. `assign(name, value)` assigns a variable; it is absent in a replay. */
 export function state(player, plot, assign) {
   const { recording } = player;
   let [devices, lamps, cells, modes, joints, places] = [[], [], [], [], [], []];
-  /** The rows that a robot and its program have, once it runs. */
+  /** Creates the rows for the robot and the program of a run that begins. */
   const begin = () => {
     element('modes').replaceChildren();
     modes = recording.robot.legs.map((_, leg) => {
@@ -42,7 +42,7 @@ export function state(player, plot, assign) {
         const { cycle } = player;
         const set = recording.lastOf(`set.${scalar}`, cycle);
         player.pause();
-        // From there to the assignment before.
+        // At the cycle of the assignment, the button leads to the one before.
         player.goTo((set === cycle ? recording.lastOf(`set.${scalar}`, cycle - 1) : set) ?? set);
       });
       if (assign) assignable(value, name, assign);
@@ -68,7 +68,7 @@ export function state(player, plot, assign) {
     showMargin(player);
   };
   const showState = () => {
-    // What nobody sees waits until its tab is chosen.
+    // A hidden tab is updated when it is chosen.
     if (!element('state-panel').classList.contains('chosen')) return;
     const { cycle } = player;
     showLamps(cycle);
@@ -98,7 +98,7 @@ export function state(player, plot, assign) {
       }
       const now = recording.at(`set.${scalar}`, cycle);
       const text = now === undefined ? '–' : shown(now);
-      // Somebody writes there.
+      // The user edits the value.
       if (value.contains(document.activeElement)) return;
       value.classList.toggle('changed', value.textContent !== '' && value.textContent !== text);
       value.textContent = text;
@@ -122,7 +122,7 @@ export function state(player, plot, assign) {
       setpoint.textContent = lag === undefined ? '–' : fixed(now + lag, 1);
       torque.textContent = effort === undefined ? '–' : fixed(effort, 2);
     }
-    // In the frame in which programs say where feet go.
+    // Without a pose, the places are in the robot frame, as in programs.
     feet(recording.robot, { angles: recording.posture(place).angles }).forEach((foot, leg) => {
       places[leg].textContent = foot.toArray().map((at) => fixed(at, 1)).join('  ');
     });
@@ -153,7 +153,7 @@ function dotOf(leg) {
   return dot;
 }
 
-/** A row of the table of joints. */
+/** Creates a row of the table of joints. */
 function jointRow(l, j, { limits }) {
   const [angle, setpoint, torque] = [make('td'), make('td'), make('td')];
   const range = make('td', { textContent: limits.map((limit) => fixed(limit, 0)).join(' … ') });
@@ -161,7 +161,7 @@ function jointRow(l, j, { limits }) {
   return { l, j, limits, angle, setpoint, torque, row };
 }
 
-/** A cell in which a variable is given another value: at a click or Enter it becomes a field. */
+/** Makes the cell of a variable editable: at a click or Enter it becomes a field. */
 function assignable(cell, name, assign) {
   const open = () => {
     if (cell.firstElementChild) return;
@@ -197,13 +197,13 @@ function assignable(cell, name, assign) {
   });
 }
 
-/** Shows what there is of something, where the run has any. */
+/** Shows a box with a text, if the run has entries for it. */
 function showBox(name, any, text) {
   element(`${name}-box`).hidden = !any;
   element(name).textContent = text || word('none');
 }
 
-/** How a leg is controlled: its foot, or its joints, which share a word if they can. */
+/** Describes the control modes of a leg: of its foot, or of its joints, with one word if all have the same. */
 function inWords(modes) {
   const said = modes.map(([target, mode]) => [target, word(`mode-${mode}`)]);
   const [first] = said;
@@ -223,7 +223,7 @@ function showMargin({ recording, cycle, time }) {
   element('now-falls').classList.toggle('bad', falls > 0);
 }
 
-/** What has just gone wrong, in words. */
+/** Returns the text about a fall or fault that has just happened. */
 function alarmAt({ recording, cycle, time }) {
   if (recording.isStoppedAt(cycle)) return word('fault');
   const fall = recording.lastOf('fall', cycle);
@@ -232,7 +232,7 @@ function alarmAt({ recording, cycle, time }) {
   return word(kind ?? 'fell');
 }
 
-/** Whether a command is for a leg. */
+/** Returns true if a target concerns a leg. */
 function concerns(target, leg) {
   return target === 'ALL' || target === `F${leg + 1}` || (target.length === 3 && target.startsWith(`J${leg + 1}`));
 }
@@ -241,7 +241,7 @@ function rounded(values) {
   return values.replace(/-?\d+\.\d+(e[-+]?\d+)?/g, (number) => shown(Number(number)));
 }
 
-/** How a run ended, and when. */
+/** Describes the end of a run with its time. */
 export function endOf({ outcome }) {
   const key = { limit: 'endedLimit', interrupted: 'endedInterrupted', emergency: 'endedEmergency' }[outcome.how] ?? 'endedProgram';
   const line = outcome.line ? `, ${word('line')} ${outcome.line}` : '';
@@ -249,7 +249,7 @@ export function endOf({ outcome }) {
   return word(key, outcome.how, clockTime(outcome.time)) + why;
 }
 
-/** All that happened besides the motion. */
+/** Fills the list of events of a run. */
 export function listMarks(player) {
   const { recording } = player;
   const words = {

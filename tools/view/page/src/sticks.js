@@ -1,11 +1,11 @@
-// Sticks of a control box: keys and a pad move the inputs VR1 to VR3 of a program that reads them, and they spring back.
+// Sticks of a control box: keys and a pad move the inputs VR1 to VR3 of a program that reads them. Released sticks spring back.
 
 import { element } from './dom.js';
 
-/** Readings of a stick: at rest, and at its ends: V. */
+/** Readings of a stick at rest and at its ends, V. */
 const REST = 5;
 const [LOW, HIGH] = [0, 10];
-/** The stick that a key moves, by the key's place on the keyboard, and to which end. */
+/** The stick that a key moves, and the reading to which it does, by the key's place on the keyboard. */
 const KEYS = {
   KeyW: ['VR1', HIGH], ArrowUp: ['VR1', HIGH], KeyS: ['VR1', LOW], ArrowDown: ['VR1', LOW],
   KeyA: ['VR2', HIGH], ArrowLeft: ['VR2', HIGH], KeyD: ['VR2', LOW], ArrowRight: ['VR2', LOW],
@@ -26,7 +26,7 @@ export function sticks(happen, recording) {
     shown[name] = volts;
     happen(`${name}=${volts}`);
   };
-  // The key that was pressed last has a stick; the one before has it again when that is released.
+  // Of the pressed keys of a stick, the last one counts. When it is released, the one before counts again.
   const pressed = [];
   const follow = (name) => {
     const last = pressed.findLast((code) => KEYS[code][0] === name);
@@ -38,7 +38,7 @@ export function sticks(happen, recording) {
     pressed.splice(place, 1);
     follow(KEYS[code][0]);
   };
-  // Before the keys of the page, of which arrows are some.
+  // The capture phase comes before the page's shortcuts, which include arrow keys.
   document.addEventListener('keydown', (event) => {
     const { target, code } = event;
     const typing = target.isContentEditable || target.closest('dialog, select, textarea, input, [role=tab]');
@@ -50,7 +50,7 @@ export function sticks(happen, recording) {
     follow(KEYS[code][0]);
   }, true);
   document.addEventListener('keyup', ({ code }) => release(code), true);
-  // Nobody tells of a release elsewhere.
+  // The page gets no event for a key that is released elsewhere.
   window.addEventListener('blur', () => [...pressed].forEach(release));
 
   const pad = element('stick');
@@ -65,7 +65,7 @@ export function sticks(happen, recording) {
     const [right, ahead] = [part(clientX, left, width), -part(clientY, top, height)];
     place(right, ahead);
     aim = [ahead, -right];
-    // As often as the page is drawn, however fast the pointer moves.
+    // One event for each frame, however fast the pointer moves.
     due ??= requestAnimationFrame(() => {
       due = undefined;
       aim?.forEach((share, n) => move(`VR${n + 1}`, Math.round(10 * (REST + share * REST)) / 10));

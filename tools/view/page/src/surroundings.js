@@ -1,4 +1,4 @@
-// What surrounds the robot: its floor or table, blocks that stand on the floor, objects. Lengths in mm.
+// The surroundings of the robot: floor or table, blocks on the floor, objects. Lengths in mm.
 
 import {
   BoxGeometry, CanvasTexture, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, LinearMipmapNearestFilter, Mesh, MeshBasicMaterial,
@@ -6,11 +6,11 @@ import {
 } from 'three';
 import { colour } from './dom.js';
 
-/** A tile of the floor: mm. */
+/** Side of a tile of the floor, mm. */
 const TILE = 500;
 
 export class Surroundings extends Group {
-  /** Of a recording, around a robot of a size. */
+  /** Creates the surroundings of a recording, for a robot of a size. */
   constructor(recording, size) {
     super();
     this.recording = recording;
@@ -23,7 +23,7 @@ export class Surroundings extends Group {
     this.things = recording.scene.objects.map((outline) => this.makeThing(outline));
   }
 
-  /** The slider of a hand carries a table. */
+  /** Adds the table that the slider of a hand carries. */
   makeTable() {
     const { height, slope } = this.recording.scene;
     const thick = 10;
@@ -41,7 +41,7 @@ export class Surroundings extends Group {
     const span = this.size * 30;
     const shadow = new Mesh(new PlaneGeometry(span, span), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
     shadow.receiveShadow = true;
-    // Lines as a picture on a plane, which stay smooth at every distance.
+    // The lines are a texture, which is smooth at every distance.
     this.tile = document.createElement('canvas');
     this.tile.width = this.tile.height = 512;
     const map = new CanvasTexture(this.tile);
@@ -57,7 +57,7 @@ export class Surroundings extends Group {
     this.floor.position.z = height - 0.6;
   }
 
-  /** A block reaches down to the lowest place of the floor under it. */
+  /** Adds a block that reaches down to the lowest place of the floor under it. */
   makeBlock({ x, y, height }) {
     const corners = x.flatMap((x) => y.map((y) => this.plane(x, y)));
     const foot = Math.min(...corners, height) - 0.6;
@@ -73,11 +73,11 @@ export class Surroundings extends Group {
   }
 
   makeThing(outline) {
-    // What has a width and a height in the plane of the fingers stands upright; what has a radius lies along z.
+    // An object with width and height is a standing cylinder; one with a radius is a cylinder along z.
     const cylinder = (radius, length) => new CylinderGeometry(radius, radius, length, 48);
     const geometry = 'disc' in outline ? cylinder(outline.disc, this.size * 0.42).rotateX(Math.PI / 2) : cylinder(outline.box[0] / 2, outline.box[1]);
     const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
-    // Forces inside it show through.
+    // It is drawn after the forces inside, which show through.
     mesh.renderOrder = 1;
     mesh.castShadow = true;
     mesh.receiveShadow = true;
@@ -85,7 +85,7 @@ export class Surroundings extends Group {
     return mesh;
   }
 
-  /** Takes the colours of the page's scheme. */
+  /** Applies the colours of the page's scheme. */
   recolour() {
     if (this.grid) this.drawTile();
     this.table?.material.color.set(colour('table'));
@@ -96,7 +96,7 @@ export class Surroundings extends Group {
     });
   }
 
-  /** One tile of the floor: a line each 100 mm, a stronger one around. */
+  /** Draws a tile of the floor: a line every 100 mm and a stronger border. */
   drawTile() {
     const [pen, { width }] = [this.tile.getContext('2d'), this.tile];
     pen.fillStyle = colour('stage');
@@ -112,7 +112,7 @@ export class Surroundings extends Group {
     this.grid.material.map.needsUpdate = true;
   }
 
-  /** Where everything is at a place between frames, with the robot at a pose. */
+  /** Moves everything to its place between frames. The grid moves with the robot at `pose`. */
   move(place, pose) {
     const value = (name) => this.recording.value(name, place);
     const y = value('slider.1');
@@ -127,13 +127,13 @@ export class Surroundings extends Group {
     this.grid?.position.set(Math.round(x / TILE) * TILE, Math.round(y0 / TILE) * TILE, 0);
   }
 
-  /** The height of the floor itself. */
+  /** Returns the height of the floor without blocks. */
   plane(x, y) {
     const { height, slope } = this.recording.scene;
     return height + slope[0] * x + slope[1] * y;
   }
 
-  /** The height of what is under a place: the floor, or a block on it. */
+  /** Returns the height of the floor or of a block at a place. */
   ground(x, y) {
     const under = this.recording.scene.blocks.filter((block) => x >= block.x[0] && x <= block.x[1] && y >= block.y[0] && y <= block.y[1]);
     return Math.max(this.plane(x, y), ...under.map(({ height }) => height));

@@ -1,4 +1,4 @@
-// Playing, and going somewhere along the run.
+// The controls of playing: slider, buttons and speed.
 
 import { clockTime, colour, element, make } from './dom.js';
 import { SPEEDS } from './player.js';
@@ -39,7 +39,7 @@ export function timeline(player) {
   return { draw: () => drawMarks(strip, player) };
 }
 
-/** Where along the run something happened. */
+/** Draws the marks of a run on the strip under the slider. */
 function drawMarks(canvas, { recording, lastPlace }) {
   const { clientWidth: width, clientHeight: height } = canvas;
   const ratio = devicePixelRatio;

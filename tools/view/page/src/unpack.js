@@ -1,6 +1,6 @@
-// Deflated bytes (RFC 1951) in base64, as a page holds what is large.
+// Reader of deflated bytes (RFC 1951) in base64, in which pages store large parts.
 
-/** A call for each of some million characters would take longer than all else. */
+/** Decodes base64. The loop avoids a call for each of millions of characters. */
 export function bytesOf(base64) {
   const text = atob(base64.trim());
   const bytes = new Uint8Array(text.length);
@@ -8,7 +8,7 @@ export function bytesOf(base64) {
   return bytes;
 }
 
-/** Bytes that have gone through a stream. */
+/** Returns the bytes after a stream. */
 export async function through(bytes, stream) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 }

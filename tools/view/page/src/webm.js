@@ -1,4 +1,4 @@
-// A film of frames that are encoded already, as WebM (RFC 8794, RFC 9559): one track, seekable at its key frames.
+// Writer of encoded frames as WebM (RFC 8794, RFC 9559): one track that is seekable at its key frames.
 
 const IDS = {
   ebml: 0x1a45dfa3, version: 0x4286, readVersion: 0x42f7, longestId: 0x42f2, longestSize: 0x42f3, docType: 0x4282, docVersion: 0x4287, docReadVersion: 0x4285,
@@ -6,17 +6,17 @@ const IDS = {
   tracks: 0x1654ae6b, track: 0xae, number: 0xd7, uid: 0x73c5, type: 0x83, lacing: 0x9c, codec: 0x86, each: 0x23e383, video: 0xe0, width: 0xb0, height: 0xba,
   cluster: 0x1f43b675, time: 0xe7, block: 0xa3, cues: 0x1c53bb6b, cue: 0xbb, cueTime: 0xb3, cuePlaces: 0xb7, cueTrack: 0xf7, cuePlace: 0xf1,
 };
-/** Of one tick of the film's clock: ns. */
+/** Length of a tick of the clock, ns. */
 const TICK = 1_000_000;
 
-/** A number in as few bytes as it needs, highest first. */
+/** Encodes a number in as few bytes as possible, the highest first. */
 function whole(value) {
   const bytes = [];
   for (let rest = value; rest >= 1 || !bytes.length; rest = Math.floor(rest / 256)) bytes.unshift(rest % 256);
   return bytes;
 }
 
-/** How long an element is, always in 8 bytes. */
+/** Encodes the length of an element in 8 bytes. */
 function size(length) {
   const bytes = whole(length);
   return [1, ...Array(7 - bytes.length).fill(0), ...bytes];
@@ -31,12 +31,12 @@ function float(value) {
 const text = (value) => [...new TextEncoder().encode(value)];
 const lengthOf = (parts) => parts.reduce((sum, part) => sum + part.length, 0);
 
-/** An element that holds bytes, in parts. */
+/** Creates an element of bytes, given in parts. */
 const leaf = (name, ...parts) => [[...whole(IDS[name]), ...size(lengthOf(parts))], ...parts];
-/** One that holds others. */
+/** Creates an element of other elements. */
 const node = (name, ...inner) => leaf(name, ...inner.flat());
 
-/** Frames of which the first is a key frame. */
+/** Creates a cluster of frames, of which the first is a key frame. */
 function cluster(frames) {
   const blocks = frames.map(({ bytes, time, isKey }) => {
     const after = time - frames[0].time;
@@ -45,7 +45,7 @@ function cluster(frames) {
   return node('cluster', leaf('time', whole(frames[0].time)), ...blocks);
 }
 
-/** A film of `frames` ({ bytes, time, isKey }, time in ms from 0), each shown for `each` ms. */
+/** Creates a video of `frames` ({ bytes, time, isKey }, time in ms from 0), each shown for `each` ms. */
 export function webm(frames, { codec, width, height, each }) {
   const head = node(
     'ebml', leaf('version', [1]), leaf('readVersion', [1]), leaf('longestId', [4]), leaf('longestSize', [8]),

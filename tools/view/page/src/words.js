@@ -1,4 +1,4 @@
-// What the page says, in English and Japanese.
+// The texts of the page, in English and Japanese.
 
 const WORDS = {
   play: ['Play', '再生'],
@@ -139,18 +139,18 @@ const LANGUAGES = ['en', 'ja'];
 let language = 0;
 const listeners = [];
 
-/** Adds what a page says beside the words of all. */
+/** Adds the texts of one kind of page. */
 export function teach(words) {
   Object.assign(WORDS, words);
 }
 
-/** Text in the page's language; {0}, {1} … are replaced. */
+/** Returns a text in the page's language. {0}, {1} … are replaced. */
 export function word(key, ...values) {
   const text = WORDS[key][language];
   return text.replace(/\{(\d)\}/g, (_, n) => values[n] ?? '');
 }
 
-/** Chooses a language, and has everything say its words again. */
+/** Chooses a language and calls the listeners. */
 export function speak(wanted) {
   language = Math.max(LANGUAGES.indexOf(wanted), 0);
   document.documentElement.lang = LANGUAGES[language];
@@ -161,7 +161,7 @@ export function speak(wanted) {
   listeners.forEach((listener) => listener());
 }
 
-/** Which of several texts is the page's: 0 is English, 1 is Japanese. */
+/** Returns the index of the page's language in lists of texts: 0 is English, 1 is Japanese. */
 export function spoken() {
   return language;
 }
@@ -170,7 +170,7 @@ export function otherLanguage() {
   return LANGUAGES[1 - language];
 }
 
-/** Gives an element a name that is read out and shown under the pointer. */
+/** Sets the name of an element for screen readers and as a tooltip. */
 export function label(element, key, ...values) {
   const text = word(key, ...values);
   element.setAttribute('aria-label', text);

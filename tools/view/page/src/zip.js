@@ -1,4 +1,4 @@
-// A ZIP of files that are packed already (PKWARE's APPNOTE 6.3.10, method 0).
+// Writer of ZIP files without compression (PKWARE's APPNOTE 6.3.10, method 0), for files that are compressed already.
 
 const TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
   for (let bit = 0; bit < 8; bit++) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
@@ -11,7 +11,7 @@ function checksum(bytes) {
   return (sum ^ 0xffffffff) >>> 0;
 }
 
-/** Numbers of 2 or 4 bytes, lowest first, each given as [size, value]. */
+/** Encodes numbers of 2 or 4 bytes, the lowest first, each given as [size, value]. */
 function record(...fields) {
   const bytes = new DataView(new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)));
   let at = 0;
@@ -23,7 +23,7 @@ function record(...fields) {
   return new Uint8Array(bytes.buffer);
 }
 
-/** A file of { name, bytes } after the other; names are ASCII. */
+/** Creates a ZIP of files { name, bytes }; names are ASCII. */
 export function zip(files) {
   const [parts, list] = [[], []];
   let at = 0;

@@ -191,7 +191,7 @@ impl<'a, 'c> Bodies<'a, 'c> {
                     self.collect(child, inner, is_world, into)?;
                 }
                 "replicate" => self.replicate(child, scope, is_world, into)?,
-                // Of the world nothing else is part of a robot.
+                // Other elements of the world are not part of a robot.
                 _ if is_world => {}
                 "inertial" => {
                     let of = self.merged(child, scope.class);
@@ -261,7 +261,7 @@ impl<'a, 'c> Bodies<'a, 'c> {
         let (step, width) = (turn.moved(offset), count.to_string().len());
         let mut frame = scope.frame;
         for copy in 0..count {
-            // Copies of nothing take time as well.
+            // Copies count even if they are empty, since they take time.
             self.count(element)?;
             let suffix = format!("{separator}{copy:0width$}{}", scope.suffix);
             let suffix = suffix.as_str();
@@ -372,7 +372,7 @@ impl<'a, 'c> Bodies<'a, 'c> {
             Some(1) => true,
             _ => self.compiler.auto_limits && range.is_some_and(|[from, to]| from != to),
         };
-        // That of a ball is a cone.
+        // The range of a ball joint is a cone.
         let range = range.filter(|_| is_limited && kind != JointType::Spherical);
         // Files of this project have their soft limits there.
         let soft: Option<[f64; 2]> = match self.is_exported {
@@ -650,7 +650,7 @@ fn tip(geom: &Geom) -> Option<Tip> {
     let at = if away(one) >= away(other) { one } else { other };
     Some(Tip {
         kind: TipKind::Capsule,
-        // Halves and turns leave noise.
+        // Halving and rotations leave rounding errors.
         at: at.map(|part| (part * 1e12).round() / 1e12 + 0.0),
     })
 }

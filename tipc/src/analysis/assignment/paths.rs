@@ -1,8 +1,8 @@
-//! Ways through a program as edition 3.2 judges them when it loads: the reads that find no value on any way, and the
-//! SUBROUTINEs and THREADs that a way runs into.
+//! The paths of a program that edition 3.2 judges at load time: reads that find no value on any path, and SUBROUTINEs
+//! and THREADs that a path runs into.
 //!
-//! A way goes from the start of the program or of a thread. A read that fails ends it. What another thread assigns on
-//! its ways counts as assigned, which is no proof that it has a value.
+//! A path begins at the start of the program or of a thread, and ends at a read that fails. A scalar that another
+//! thread assigns on one of its paths counts as assigned, although that does not prove that it has a value.
 
 use super::{Assigned, Assignment, Judged, NodeRead, Read, judged, predeclared};
 use crate::analysis::access;
@@ -10,22 +10,22 @@ use crate::analysis::flow::{Flow, NodeId};
 use crate::program::{LabelKind, Program, StepId};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Maximum number of times that the ways are followed anew, since a read that fails has cut some of them. What is found
-/// by then holds: fewer reads are known to fail.
-const MAX_TURNS: usize = 64;
+/// Maximum number of rounds. A read that is found to fail ends paths, so the next round follows shorter ones, in which
+/// more reads may fail. If the limit ends the search, the failures that were found are right, and others are missing.
+const MAX_ROUNDS: usize = 64;
 
-/// Ways of a program.
+/// The results of following the paths of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Paths {
-    /// The reads that some way comes to.
+    /// The reads that some path reaches.
     pub assignment: Assignment,
-    /// The first read of each variable that finds no value on any way, by steps.
+    /// The first read of each variable that finds no value on any path, in the order of steps.
     pub no_value: Vec<NoValue>,
-    /// The steps of SUBROUTINE and THREAD that a way runs into, or that the program begins with.
+    /// The steps of SUBROUTINE and THREAD that a path reaches from the step above, or that the program begins with.
     pub entered: Vec<StepId>,
 }
 
-/// A read that finds no value on any way.
+/// A read that finds no value on any path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct NoValue {
     /// The step that reads.
@@ -34,27 +34,27 @@ pub struct NoValue {
     pub scalar: usize,
 }
 
-/// Ways from one start.
+/// The paths from one start.
 struct Start {
     node: NodeId,
-    /// The nodes behind which no way goes on, each with its first read that fails.
+    /// The nodes at which paths end because a read fails, each with the scalar of its first such read.
     fails: BTreeMap<NodeId, usize>,
     judged: Judged,
 }
 
 impl Paths {
-    /// Follows the ways of a program.
+    /// Follows the paths of a program.
     pub fn of(program: &Program) -> Self {
         let flow = Flow::of(program);
         let given = predeclared(program);
-        // At first no read fails, so that each turn only takes ways and assignments away.
+        // At first no read is known to fail. Each round then only removes paths and assignments, so the search ends.
         let starts = flow.starts().iter().map(|node| Start {
             node: *node,
             fails: BTreeMap::new(),
             judged: judged(program, &flow, &[*node], &given),
         });
         let mut all: Vec<Start> = starts.collect();
-        for _ in 0..MAX_TURNS {
+        for _ in 0..MAX_ROUNDS {
             let assigned = all.iter().map(|start| start.assigned(program, &flow));
             let assigned: Vec<Vec<bool>> = assigned.collect();
             let mut changes = false;
@@ -80,7 +80,7 @@ impl Paths {
 }
 
 impl Start {
-    /// Follows the ways up to the reads that fail; returns true if further reads fail, or fewer nodes are reached.
+    /// Follows the paths up to the reads that fail. Returns true if further reads fail, or fewer nodes are reached.
     fn follow(&mut self, program: &Program, flow: &Flow, given: &[bool]) -> bool {
         let cuts: BTreeSet<NodeId> = self.fails.keys().copied().collect();
         let judged = judged(program, &flow.cut(&cuts), &[self.node], given);
@@ -90,7 +90,7 @@ impl Start {
         changes
     }
 
-    /// Returns true for each scalar that its ways assign.
+    /// Returns true for each scalar that its paths assign.
     fn assigned(&self, program: &Program, flow: &Flow) -> Vec<bool> {
         let mut assigned = vec![false; program.scalar_count()];
         for (id, node) in flow.nodes().iter().enumerate() {
@@ -122,7 +122,7 @@ fn failing(program: &Program, flow: &Flow, reads: &[NodeRead]) -> BTreeMap<NodeI
     never.into_iter().filter_map(first).collect()
 }
 
-/// Returns the reads of all ways together.
+/// Returns the reads on the paths from all starts.
 fn assignment(flow: &Flow, all: &[Start]) -> Assignment {
     let mut together: BTreeMap<(StepId, usize), Assigned> = BTreeMap::new();
     for read in all.iter().flat_map(|start| &start.judged.reads) {
@@ -141,7 +141,7 @@ fn assignment(flow: &Flow, all: &[Start]) -> Assignment {
     Assignment::new(reads.collect(), is_complete)
 }
 
-/// Returns the first read of each variable that fails on every way that comes to it.
+/// Returns the first read of each variable that fails on every path to it.
 fn no_value(program: &Program, flow: &Flow, all: &[Start]) -> Vec<NoValue> {
     let finds = |node: NodeId, scalar: usize| {
         let mut reads = all.iter().flat_map(|start| {
@@ -171,7 +171,7 @@ fn no_value(program: &Program, flow: &Flow, all: &[Start]) -> Vec<NoValue> {
     all
 }
 
-/// Returns the steps of SUBROUTINE and THREAD that a way comes to from above.
+/// Returns the steps of SUBROUTINE and THREAD that a path reaches from an earlier step.
 fn entered(program: &Program, flow: &Flow, all: &[Start]) -> Vec<StepId> {
     let labels = program.labels().iter();
     let routines: BTreeSet<StepId> = labels
