@@ -9,7 +9,8 @@ const VOLTS = 10;
 /** Keys that write nothing, by what the robot's keyboard sends. */
 const CODES = { Enter: 'key 0x0D', Escape: 'halt', Backspace: 'key 0x08' };
 
-export function controls(requests, recording) {
+/** `driving` takes the sticks of a robot on servos. */
+export function controls(requests, recording, driving) {
   const happen = (event) => requests.send({ do: 'event', event });
   element('stop').addEventListener('click', () => happen(CODES.Enter));
   // A run that rests takes it when it goes on.
@@ -49,7 +50,7 @@ export function controls(requests, recording) {
     keys.value = '';
   });
   whenSpoken(() => (keys.placeholder = word('typeHere')));
-  const stick = sticks(happen, recording);
+  const stick = sticks((name, volts) => driving.steer(name, volts) || happen(`${name}=${volts}`), recording);
   let knobs = [];
   /** Those of a robot, once it runs. */
   const begin = () => {

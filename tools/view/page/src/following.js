@@ -39,9 +39,9 @@ export class FollowingPlayer extends Player {
     this.changed();
   }
 
-  /** The run itself goes so many cycles forward or back, unless one looks at what was. */
+  /** The run itself goes so many cycles forward or back, unless one looks at what was, or it only goes forward. */
   step(cycles) {
-    if (!this.following || !Number.isFinite(cycles) || Math.abs(cycles) > 1) return this.goTo(this.cycle + cycles);
+    if (this.goesForward || !this.following || !Number.isFinite(cycles) || Math.abs(cycles) > 1) return this.goTo(this.cycle + cycles);
     return this.requests.send({ do: 'step', cycles });
   }
 

@@ -26,6 +26,12 @@
 //                                         from, to, text, fills}]: descriptions in English and Japanese, and the
 //                                         text a snippet of LSP if it `fills` places
 //
+// and for a robot on servos, where only the viewer that drives moves it, and the emergency stop is for all:
+//
+//   {do: 'take'}   {do: 'give'}           takes the robot, or asks its driver for it; hands it to the viewer that asks
+//   {do: 'drive', press, sticks}          a sign of life, every 100 ms: the number of the press of the button, 0 while it is not
+//                                         pressed, and what VR1 to VR3 read, V. It has no answer unless it is refused
+//
 // Updates, by their `type`:
 //
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
@@ -44,8 +50,13 @@
 //              ended, its figures (docs/files.md) unless it plays,
 //              which version of the text runs, whether that of the editor is not the file's, and whether someone else
 //              has changed the file
+//   robot      {driver, held, asked, hold, stage, phase, servos, answers, late, stopped_in, problem}: a robot on servos; whether this
+//              viewer drives, somebody does, another one asks for it, and the button is needed; `phase` ready, approach, running,
+//              leaving or left; `stage` driven, paused, halt or emergency; each servo has `joint`, `id`, `angle`, `load`, `voltage`,
+//              `temperature` and `age`; answers asked for and got; late cycles; ms that the emergency stop took; what is wrong
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
-//              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
+//              over, many, stale, errors, unspelled, unsaved, unread, flood, and of a robot on servos
+//              watching, hold, forward, moving, still or simulated; `detail` says more
 
 /** Sends requests, and calls `refused(answer)` for each that is not fulfilled. */
 export class Requests {
