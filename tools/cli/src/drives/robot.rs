@@ -10,6 +10,7 @@ use crate::{Status, interrupt, report};
 use std::io;
 use std::ops::Deref;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use tip_drives::bus::Port;
@@ -97,6 +98,7 @@ impl Setup {
             mishaps,
             keyboard: None,
             typed: Vec::new(),
+            stop: Arc::default(),
             period,
         };
         let robot = TorqueGuard::new(drives, operator, period);
@@ -162,6 +164,8 @@ pub(crate) struct Operator {
     keyboard: Option<Terminal<io::Sink>>,
     /// Other keys than those that end.
     typed: Vec<u8>,
+    /// True when somebody elsewhere has asked for the emergency stop.
+    pub(crate) stop: Arc<AtomicBool>,
     /// The longest cycle of approaching and of leaving, ms.
     period: f64,
 }
@@ -196,6 +200,9 @@ impl Host<AnyPort> for Operator {
 
     fn request(&mut self) -> Option<Request> {
         interrupt::cycle(self.period);
+        if self.stop.load(Ordering::Relaxed) {
+            return Some(Request::EmergencyStop);
+        }
         let mut request = None;
         let is_ours = interrupt::may_read_keys();
         if let Some(keyboard) = self.keyboard.as_mut().filter(|_| is_ours) {
