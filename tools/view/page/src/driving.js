@@ -6,6 +6,8 @@ import { whenSpoken, word } from './words.js';
 
 /** Time between two signs of life: ms. */
 const SIGN = 100;
+/** How long the button is held at most until the robot starts: ms. */
+const STARTS = 1500;
 /** Readings of the sticks at rest: V. */
 const REST = 5;
 
@@ -88,6 +90,7 @@ export class Driving {
     if (!this.robot?.driver || this.press || !this.isHere) return;
     this.last += 1;
     this.press = this.last;
+    this.since = performance.now();
     this.sign();
     this.show();
   }
@@ -114,6 +117,7 @@ export class Driving {
     const { driver, held, asked, hold, phase, stage, problem, stopped_in: stopped } = this.robot;
     const says = [word(SAYS[phase](stage))];
     if (!driver) says.unshift(word(held ? 'othersDrive' : 'nobodyDrives'));
+    if (phase === 'ready' && this.press && performance.now() - this.since > STARTS) says.push(word('pressAgain'));
     if (driver && asked) says.unshift(word('isAsked'));
     if (stopped !== null) says.push(word('stoppedIn', fixed(stopped, 0)));
     if (problem) says.push(problem);

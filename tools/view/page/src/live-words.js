@@ -28,6 +28,7 @@ export const LIVE_WORDS = {
   holdToStart: ['Hold to start', '押し続けて開始'],
   holdToDrive: ['Hold to drive', '押している間操縦'],
   robotReady: ['The robot has no torque from here. Keep clear; hold the button for a second to start it.', 'トルクは入っていません。ロボットから離れ、ボタンを1秒間押し続けると開始します。'],
+  pressAgain: ['The press was interrupted: let go, and press again.', '押している途中で通信が途切れました。いったん離して、もう一度押してください。'],
   robotApproach: ['On the way to the initial posture: keep holding.', '初期姿勢へ移動中です。押し続けてください。'],
   robotWaits: ['Stopped on the way: press again to go on.', '移動を止めています。もう一度押すと続けます。'],
   robotDriven: ['The program runs.', 'プログラムを実行中です。'],
