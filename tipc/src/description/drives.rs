@@ -49,6 +49,11 @@ pub struct Bus {
     pub start: f64,
     /// True if the torque is switched off at the end of a program, and in an emergency.
     pub relaxes: [bool; 2],
+    /// True if a page drives the robot only while its operator holds a button.
+    pub hold_to_drive: bool,
+    /// Times of silence of the page that drives, s: until the robot pauses, until the program is asked to halt, and until the
+    /// emergency stop.
+    pub driver_silence: [f64; 3],
     /// The drive of each joint, leg by leg.
     pub drives: Vec<Drive>,
 }
@@ -162,6 +167,8 @@ fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<B
     let overload = bus.numbers("overload", Sign::Positive, found);
     let lag = bus.numbers("lag", Sign::Positive, found);
     let start = within(bus, "start", SPEEDS, 30.0, found);
+    let hold_to_drive = bus.boolean("hold_to_drive", found);
+    let driver_silence = driver_silence(bus, found);
     Some(Bus {
         port,
         baud: baud?,
@@ -174,8 +181,31 @@ fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<B
         lag: lag.unwrap_or([25.0, 0.5]),
         start,
         relaxes,
+        hold_to_drive: hold_to_drive.unwrap_or(true),
+        driver_silence: driver_silence.unwrap_or([0.3, 3.0, 10.0]),
         drives,
     })
+}
+
+/// Longest silence of a page that drives, s: a robot that nobody drives is stopped in the end.
+const MAX_SILENCE: f64 = 3600.0;
+
+/// Reads the times of silence, each at least the one before.
+fn driver_silence(bus: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
+    let key = "driver_silence";
+    let times: [f64; 3] = bus.numbers(key, Sign::Positive, found)?;
+    let reason = match times.windows(2).find(|pair| pair[0] > pair[1]) {
+        Some(pair) => Describing::Above {
+            min: pair[0],
+            max: pair[1],
+        },
+        None if times[2] > MAX_SILENCE => Describing::NotBetween {
+            least: times[1],
+            most: MAX_SILENCE,
+        },
+        None => return Some(times),
+    };
+    bus.refuse(key, bus.location_of(key), reason, found)
 }
 
 /// Speeds that a joint may have, deg/s. A slower motion would take hours.

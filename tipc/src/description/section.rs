@@ -226,6 +226,15 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// Reads true or false.
+    pub(super) fn boolean(self, key: &str, found: &mut Found) -> Option<bool> {
+        let (location, value) = self.value(key)?;
+        match value {
+            DeValue::Boolean(is_on) => Some(*is_on),
+            _ => self.wrong_type(key, location, value, found),
+        }
+    }
+
     /// Reads one of some words.
     pub(super) fn choice<T: Copy>(
         self,

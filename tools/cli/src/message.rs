@@ -201,6 +201,9 @@ tipc::message_table! {
     ServeOthers
         "anyone with this address can run, edit and save the program",
         "このアドレスを知る人は誰でも、プログラムの実行・編集・保存ができます";
+    ServeDrives
+        "anyone with this address and a way to this machine can drive the robot, stop it, and run other programs on it; what they send is not encrypted: use a network of your own",
+        "このアドレスを知り、このマシンに接続できる人は誰でも、ロボットの操縦・停止と別のプログラムの実行ができます。通信は暗号化されません。自分のネットワークで使ってください";
     ServeEnds
         "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
@@ -1003,6 +1006,12 @@ tipc::message_table! {
     Start { joint: String, angle: String, speed: f64 }
         "to the initial posture: {joint} has the longest way, {angle} deg, at {speed} deg/s at most",
         "初期姿勢へ移動します。最も大きく動く関節は{joint}({angle}度)、速さは{speed}度/s以下です";
+    ServeStarts
+        "keep clear; the button of the page, held for a second, or RETURN here starts the robot; RETURN is the emergency stop then",
+        "ロボットから離れてください。ページのボタンを1秒間押し続けるか、ここでRETURNを押すと開始します。動作中のRETURNは非常停止です";
+    ServeLeft { joints: String }
+        "these servos are perhaps not as they were to be left: {joints}. Switch their power off",
+        "次のサーボは指定の状態になっていない可能性があります: {joints}。電源を切ってください";
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";

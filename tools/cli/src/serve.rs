@@ -1,7 +1,9 @@
 //! `tip serve`: serves a page with a live run to any number of viewers. The session belongs to one thread (`hub`); each connection
-//! (`connections`) has its own.
+//! (`connections`) has its own, and so has the control cycle of a robot on servos (`hardware`).
 
 mod connections;
+mod controls;
+mod hardware;
 mod hub;
 
 use crate::Action;
@@ -9,6 +11,7 @@ use crate::arguments::RunArguments;
 use crate::error::Error;
 use crate::loader::Subject;
 use crate::message::Using;
+use crate::setup::RobotChoice;
 use crate::watch::Watch;
 use crate::{Status, input, output, report, sticks};
 use clap::Args;
@@ -16,6 +19,7 @@ use connections::Guard;
 use hub::{Hub, HubEvent, HubSender};
 use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::{fs, thread};
 use tip_sim::Robot;
 use tip_view::live::{Host, Session, Setup};
@@ -28,6 +32,7 @@ use tipc::message::{Lang, Reading};
   tip serve --robot hand grasp.prg --scene scene.toml
   tip serve walk.prg --paused --events '10:key F'
   tip serve walk.prg --listen 0.0.0.0:8000    for other machines too
+  tip serve walk.prg --hardware robot.toml    drives a real robot from the page
 
 The page runs the program on the simulated robot in real time, or slower or faster. Keys, knobs,
 halt and emergency stop reach the program. The run can be paused, stepped forward and back, and continued
@@ -37,8 +42,12 @@ errors and warnings, restarted, and saved to FILE. A change of FILE by another e
 Everyone with the address sees the same run and may do all that. The page is reachable from this
 machine only, unless --listen is given. Ctrl-C ends the command.
 
-Exit status: 130 ended by Ctrl-C, 1 the program does not load or the address cannot be used,
-2 wrong usage.")]
+With --hardware the run goes forward only. One page drives, while its button is held; the emergency stop is for all.
+A page that falls silent pauses the robot, then asks the program to halt, and then stops the robot
+(docs/drives.md).
+
+Exit status: 130 ended by Ctrl-C, 1 the program does not load, the address cannot be used or a servo
+does not answer, 2 wrong usage.")]
 pub(super) struct Serve {
     #[command(flatten)]
     pub(super) run: RunArguments,
@@ -53,6 +62,26 @@ pub(super) struct Serve {
     #[arg(long)]
     paused: bool,
 
+    /// Run on a real robot, driven from the page
+    ///
+    /// Its description has [bus] and [[drive]] (docs/drives.md)
+    #[arg(
+        long,
+        value_name = "FILE.toml",
+        conflicts_with_all = ["robot", "plant", "scene", "cycles", "paused"]
+    )]
+    hardware: Option<PathBuf>,
+
+    /// The robot's serial port, or 'simulated'
+    ///
+    /// 'simulated' needs no hardware. By default the port is that of the description
+    #[arg(long, value_name = "PORT", requires = "hardware")]
+    port: Option<String>,
+
+    /// Use SCHED_FIFO and lock the memory
+    #[arg(long, requires = "hardware", hide_short_help = true)]
+    fifo: bool,
+
     /// Print only the address and errors
     #[arg(long, short)]
     quiet: bool,
@@ -60,6 +89,9 @@ pub(super) struct Serve {
 
 impl Action for Serve {
     fn complete(&mut self) -> Result<(), Error> {
+        if let Some(file) = &self.hardware {
+            self.run.source.robot = Some(RobotChoice::File(file.clone()));
+        }
         self.run.complete(&self.run.file.clone()).map(drop)
     }
 
@@ -71,60 +103,109 @@ impl Action for Serve {
 /// Serves the page until Ctrl-C.
 fn serve(arguments: &Serve) -> Result<Status, Error> {
     let path = arguments.run.file.as_path();
-    let lang = arguments.run.source.output_options.lang();
     if input::is_stream(path) {
+        let lang = arguments.run.source.output_options.lang();
         return Err(Error::usage(Using::ServeInput, lang));
     }
-    let (session, file, robot) = arguments.session(path)?;
-    let failed = |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
-    let listener = TcpListener::bind(arguments.listen).map_err(failed)?;
-    let own = listener.local_addr().map_err(failed)?;
-    let guard = Guard::new(own).map_err(Error::Failed)?;
-    let (hub, sender) = Hub::new(session, file, robot);
-    output::print(format!("{}\n", guard.address()))?;
-    if !arguments.quiet && !own.ip().is_loopback() {
-        report::say(Using::ServeOthers, lang);
+    match &arguments.hardware {
+        Some(hardware) => {
+            let (follower, prepared, file, robot) = hardware::prepare(arguments, hardware)?;
+            let place = Place::bind(arguments)?;
+            let controls = Arc::clone(&prepared.controls);
+            let (hub, sender) = Hub::new(follower, file, robot, Some(controls));
+            place.open(arguments, sender)?;
+            let control = prepared.start();
+            hub.run();
+            // A control cycle that panicked has left the robot as in an emergency.
+            Ok(control.join().unwrap_or(Status::Emergency))
+        }
+        None => {
+            let (session, file, robot) = arguments.session(path)?;
+            let place = Place::bind(arguments)?;
+            let (hub, sender) = Hub::new(session, file, robot, None);
+            place.open(arguments, sender)?;
+            hub.run();
+            Ok(Status::Interrupted)
+        }
     }
-    if !arguments.quiet {
-        report::say(Using::ServeEnds, lang);
+}
+
+/// The place where the page is reached.
+struct Place {
+    listener: TcpListener,
+    guard: Guard,
+}
+
+impl Place {
+    /// Claims the address.
+    fn bind(arguments: &Serve) -> Result<Self, Error> {
+        let failed =
+            |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
+        let listener = TcpListener::bind(arguments.listen).map_err(failed)?;
+        let own = listener.local_addr().map_err(failed)?;
+        let guard = Guard::new(own).map_err(Error::Failed)?;
+        Ok(Place { listener, guard })
     }
-    watch(path, sender.clone())?;
-    connections::accept(listener, guard, sender);
-    hub.run();
-    Ok(Status::Interrupted)
+
+    /// Prints the address, and lets viewers in.
+    fn open(self, arguments: &Serve, sender: HubSender) -> Result<(), Error> {
+        let lang = arguments.run.source.output_options.lang();
+        output::print(format!("{}\n", self.guard.address()))?;
+        if !self.guard.is_local() {
+            match arguments.hardware {
+                Some(_) => report::say(Using::ServeDrives, lang),
+                None if arguments.quiet => {}
+                None => report::say(Using::ServeOthers, lang),
+            }
+        }
+        if !arguments.quiet {
+            report::say(Using::ServeEnds, lang);
+        }
+        watch(&arguments.run.file, sender.clone())?;
+        connections::accept(self.listener, self.guard, sender);
+        Ok(())
+    }
 }
 
 impl Serve {
     /// Loads the program; returns its session, its file, and its robot.
     fn session(&self, path: &Path) -> Result<(Session, ServedFile, Robot), Error> {
-        let source = &self.run.source;
-        let place = input::real(path);
-        let refusal = Using::ProcessRunsOnce { command: "serve" };
-        let Subject { loaded, robot, .. } = self.run.load(path, self.quiet, refusal)?;
-        let inputs = self.run.inputs.inputs(&robot);
-        let events = match &loaded.program {
-            Some(program) => sticks::let_rest(program, inputs.events),
-            None => inputs.events,
-        };
-        let bytes = loaded.source.bytes();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let setup = Setup {
-            options: source.options(robot.options().robot),
-            events,
-            rest: inputs.cycles,
-            ..Setup::new(&name, &bytes, robot.clone())
+        let (subject, setup, file) = self.subject(path)?;
+        let events = match &subject.loaded.program {
+            Some(program) => sticks::let_rest(program, setup.events),
+            None => setup.events,
         };
         let refused = |_| Error::Usage("an event is not possible for this program".to_owned());
-        let mut session = Session::new(setup).map_err(refused)?;
+        let mut session = Session::new(Setup { events, ..setup }).map_err(refused)?;
         if !self.paused {
             session.play();
         }
+        session.hand_over();
+        Ok((session, file, subject.robot))
+    }
+
+    /// Loads the program; returns it with the setup of its session, and its file.
+    fn subject(&self, path: &Path) -> Result<(Subject, Setup, ServedFile), Error> {
+        let source = &self.run.source;
+        let place = input::real(path);
+        let refusal = Using::ProcessRunsOnce { command: "serve" };
+        let subject = self.run.load(path, self.quiet, refusal)?;
+        let inputs = self.run.inputs.inputs(&subject.robot);
+        let bytes = subject.loaded.source.bytes();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let robot = subject.robot.clone();
+        let setup = Setup {
+            options: source.options(robot.options().robot),
+            events: inputs.events,
+            rest: inputs.cycles,
+            ..Setup::new(&name, &bytes, robot)
+        };
         let file = ServedFile {
             path: place,
             known: bytes,
             lang: source.output_options.lang(),
         };
-        Ok((session, file, robot))
+        Ok((subject, setup, file))
     }
 }
 

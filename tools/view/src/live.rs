@@ -21,14 +21,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod driven;
+mod driver;
 mod request;
 mod runner;
 mod session;
 mod text;
+mod viewer;
 
-pub use request::ClientRequest;
-pub use session::{Session, Setup, Viewer};
+pub use driven::{DrivenSession, LetRest, Order, Phase, Prepared, RobotState, ServoState};
+pub use driver::{ARMING, Driver, Rules, SIGN, STICKS, Sign, Stage};
+pub use request::{ClientRequest, Driving};
+pub use session::{Session, Setup};
 pub use text::{CheckedText, TextChecker, UncheckedText};
+pub use viewer::Viewer;
 
 /// The most bytes that a request may have; the text of a program takes most of it.
 pub const MOST_BYTES: usize = 2 << 20;

@@ -424,7 +424,7 @@ fn the_help_for_a_motor_that_would_turn_too_far_names_the_keys() {
 #[test]
 fn a_bus_has_a_drive_for_each_joint() {
     let text = with(
-        "[bus]\nport = \"/dev/ttyUSB0\"\nservo = \"ax-12\"\nsilence = 3\nbaud = 4500000\nat_end = \"relax\"\n\
+        "[bus]\nport = \"/dev/ttyUSB0\"\nservo = \"ax-12\"\nsilence = 3\nbaud = 4500000\nat_end = \"relax\"\nhold_to_drive = false\ndriver_silence = [1, 1, 3600]\n\
          [[drive]]\njoint = \"J11\"\nid = 7\nsign = -1\noffset = 10\nlimits = [-90, 120]\n",
     );
     let description = parse_for_servos("robot.toml", text.as_bytes(), &SERVOS).expect("good");
@@ -432,6 +432,10 @@ fn a_bus_has_a_drive_for_each_joint() {
     assert_eq!(bus.port.as_deref(), Some("/dev/ttyUSB0"));
     assert_eq!((bus.baud, bus.silence), (4_500_000, 3));
     assert_eq!(bus.relaxes, [true, false]);
+    assert_eq!(
+        (bus.hold_to_drive, bus.driver_silence),
+        (false, [1.0, 1.0, 3600.0])
+    );
     let [drive] = &bus.drives[..] else {
         panic!("one drive");
     };
@@ -525,6 +529,18 @@ fn every_fault_of_a_drive_is_at_its_location() {
         (
             &format!("{bus}id = 1\nmodel = \"MX-28\"\ntorque = 2\n"),
             "10:10: a number from 0.01 to 1 belongs here",
+        ),
+        (
+            "[bus]\nservo = \"MX-28\"\ndriver_silence = [3, 1, 10]\n[[drive]]\njoint = \"J11\"\nid = 1\n",
+            "6:18: 3 is above 1",
+        ),
+        (
+            "[bus]\nservo = \"MX-28\"\ndriver_silence = [1, 3, 3601]\n[[drive]]\njoint = \"J11\"\nid = 1\n",
+            "6:18: a number from 3 to 3600 belongs here",
+        ),
+        (
+            "[bus]\nservo = \"MX-28\"\nhold_to_drive = \"no\"\n[[drive]]\njoint = \"J11\"\nid = 1\n",
+            "6:17: text cannot stand here",
         ),
     ] {
         assert_eq!(faults_of_drive(more), [expected], "{more}");

@@ -11,6 +11,7 @@ use std::borrow::{Borrow, BorrowMut};
 use std::io;
 use std::ops::Deref;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tip_drives::described::{Described, NotOnBus};
 use tip_drives::drives::{Failure, Policy, Problem};
@@ -97,6 +98,7 @@ impl Setup {
         let host = Attended {
             operator: Operator::of_signals(interrupt::signal()),
             mishaps,
+            stop: Arc::default(),
             period,
         };
         let robot = TorqueGuard::new(drives, host, period);
@@ -156,6 +158,8 @@ pub(crate) struct Attended {
     operator: Operator,
     /// Faults to inject; `None` on a real bus.
     mishaps: Option<FaultInjection>,
+    /// True when somebody elsewhere has asked for the emergency stop.
+    pub(crate) stop: Arc<AtomicBool>,
     /// The longest cycle of approaching and of leaving, ms.
     period: f64,
 }
@@ -185,6 +189,9 @@ impl Host<AnyPort> for Attended {
 
     fn request(&mut self) -> Option<Request> {
         interrupt::cycle(self.period);
+        if self.stop.load(Ordering::Relaxed) {
+            return Some(Request::EmergencyStop);
+        }
         self.operator.request()
     }
 }

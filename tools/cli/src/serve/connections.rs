@@ -125,7 +125,7 @@ impl Connections {
         }
         let before = self.admitted.fetch_add(1, Ordering::Relaxed);
         let answered = match before < MAX_ADMITTED {
-            true => self.answer_admitted(stream, head),
+            true => self.answer_admitted(number, stream, head),
             false => send_error(&mut stream, "503 Service Unavailable", "too many viewers"),
         };
         self.admitted.fetch_sub(1, Ordering::Relaxed);
@@ -133,13 +133,13 @@ impl Connections {
     }
 
     /// Answers a request with the token: with the page, or by a WebSocket.
-    fn answer_admitted(&self, mut stream: TcpStream, head: Head) -> io::Result<()> {
+    fn answer_admitted(&self, number: usize, mut stream: TcpStream, head: Head) -> io::Result<()> {
         match (&*head.method, &*head.path) {
             ("GET", "/") => send_page(&mut stream, &tip_view::live::page()),
             ("GET", "/live") => {
                 let host = head.field("host").unwrap_or_default();
                 match self.guard.admit_origin(head.field("origin"), host) {
-                    Ok(()) => serve_viewer(stream, head, &self.hub),
+                    Ok(()) => serve_viewer(number as u64, stream, head, &self.hub),
                     Err(rejection) => refuse(&mut stream, rejection),
                 }
             }
@@ -199,6 +199,11 @@ impl Guard {
             let _ = write!(token, "{byte:02x}");
         }
         Ok(Guard { own, token })
+    }
+
+    /// Returns true if only this machine reaches the server.
+    pub(super) fn is_local(&self) -> bool {
+        self.own.ip().is_loopback()
     }
 
     /// Returns the address of the page.
@@ -440,7 +445,7 @@ impl From<Error> for End {
 }
 
 /// Serves a WebSocket until it is closed.
-fn serve_viewer(mut stream: TcpStream, head: Head, hub: &HubSender) -> io::Result<()> {
+fn serve_viewer(number: u64, mut stream: TcpStream, head: Head, hub: &HubSender) -> io::Result<()> {
     let Some(response) = upgrade(&head) else {
         let word = "this is for WebSockets";
         return send_error(&mut stream, "426 Upgrade Required", word);
@@ -452,7 +457,7 @@ fn serve_viewer(mut stream: TcpStream, head: Head, hub: &HubSender) -> io::Resul
         .max_message_size(Some(MOST_BYTES))
         .max_frame_size(Some(MOST_BYTES));
     let socket = WebSocket::from_partially_read(stream, head.rest, Role::Server, Some(config));
-    let outbox = Arc::new(Outbox::default());
+    let outbox = Arc::new(Outbox::new(number));
     if !hub.send(HubEvent::Joined(Arc::clone(&outbox))) {
         return Ok(());
     }
@@ -464,6 +469,7 @@ fn serve_viewer(mut stream: TcpStream, head: Head, hub: &HubSender) -> io::Resul
         pinged: Instant::now(),
     };
     let end = socket.run();
+    hub.leave(&socket.outbox);
     socket.outbox.close();
     socket.close(end);
     Ok(())
@@ -525,13 +531,12 @@ impl Socket<'_> {
             Err(Error::Io(error)) if is_timeout(&error) => return Ok(()),
             Err(error) => return Err(error.into()),
         };
-        if !self.rate_limit.spend() {
+        let asked = ClientRequest::read(text.as_str());
+        // Nobody sends too many emergency stops.
+        if !self.rate_limit.spend() && !asked.is_stop() {
             return Err(End::Close(CloseCode::Policy, "too many requests"));
         }
-        match self
-            .hub
-            .ask(&self.outbox, ClientRequest::read(text.as_str()))
-        {
+        match self.hub.ask(&self.outbox, asked) {
             true => Ok(()),
             false => Err(End::Gone),
         }

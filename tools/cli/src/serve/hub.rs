@@ -3,6 +3,7 @@
 
 use crate::interrupt;
 use crate::serve::ServedFile;
+use crate::serve::controls::Controls;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -46,6 +47,50 @@ pub(super) enum HubEvent {
     FileChanged,
 }
 
+/// A session that a hub shows to viewers.
+pub(super) trait LiveSession {
+    /// Lets time pass, as long as `goes_on` agrees.
+    fn advance(&mut self, elapsed: Duration, goes_on: &dyn Fn() -> bool);
+    /// Does what a viewer asks for; no answer if the thread that checks texts has to give it, or to check the text first.
+    fn ask(
+        &mut self,
+        viewer: &Outbox,
+        asked: &ClientRequest,
+        file: &mut ServedFile,
+    ) -> Option<String>;
+    /// Returns the next update for a viewer; none if it has everything.
+    fn update(&self, outbox: &Outbox, viewer: &mut Viewer) -> Option<String>;
+    fn unchecked(&mut self) -> Option<UncheckedText>;
+    fn checked(&mut self, reading: CheckedText);
+    fn file_changed(&mut self, bytes: &[u8]);
+}
+
+impl LiveSession for Session {
+    fn advance(&mut self, elapsed: Duration, goes_on: &dyn Fn() -> bool) {
+        self.advance(elapsed.as_secs_f64() * 1000.0, goes_on);
+    }
+
+    fn ask(&mut self, _: &Outbox, asked: &ClientRequest, file: &mut ServedFile) -> Option<String> {
+        self.ask(asked, file)
+    }
+
+    fn update(&self, _: &Outbox, viewer: &mut Viewer) -> Option<String> {
+        self.update(viewer)
+    }
+
+    fn unchecked(&mut self) -> Option<UncheckedText> {
+        self.unchecked()
+    }
+
+    fn checked(&mut self, reading: CheckedText) {
+        self.checked(reading);
+    }
+
+    fn file_changed(&mut self, bytes: &[u8]) {
+        self.file_changed(bytes);
+    }
+}
+
 /// The sending end of the hub. It never blocks: viewers that send too much are refused.
 #[derive(Clone)]
 pub(super) struct HubSender {
@@ -53,6 +98,8 @@ pub(super) struct HubSender {
     stops: Sender<(Arc<Outbox>, ClientRequest)>,
     /// Number of emergency stops so far.
     stopped: Arc<AtomicU64>,
+    /// The controls of a robot on servos: its driver and its emergency stop wait for no hub.
+    controls: Option<Arc<Controls>>,
 }
 
 impl HubSender {
@@ -63,6 +110,17 @@ impl HubSender {
 
     /// Sends a request of a viewer; returns false if the hub has ended.
     pub(super) fn ask(&self, outbox: &Arc<Outbox>, asked: ClientRequest) -> bool {
+        if let Some(controls) = &self.controls {
+            if asked.is_stop() {
+                controls.stop();
+            }
+            if let Some(driving) = asked.driving() {
+                if let Some(answer) = controls.drive(outbox.number, driving, &asked) {
+                    outbox.put(answer);
+                }
+                return true;
+            }
+        }
         let outbox = Arc::clone(outbox);
         if asked.is_stop() {
             self.stopped.fetch_add(1, Ordering::Relaxed);
@@ -75,11 +133,18 @@ impl HubSender {
         let stops = self.stopped.load(Ordering::Relaxed);
         self.send(HubEvent::ClientRequest(outbox, asked, stops))
     }
+
+    /// Tells that a viewer has left.
+    pub(super) fn leave(&self, outbox: &Outbox) {
+        if let Some(controls) = &self.controls {
+            controls.leave(outbox.number);
+        }
+    }
 }
 
 /// The session and its viewers.
-pub(super) struct Hub {
-    session: Session,
+pub(super) struct Hub<S> {
+    session: S,
     file: ServedFile,
     events: Receiver<HubEvent>,
     /// Emergency stops, which overtake all other events.
@@ -90,18 +155,23 @@ pub(super) struct Hub {
     viewers: Vec<(Arc<Outbox>, Viewer)>,
 }
 
-impl Hub {
-    /// Returns a hub and its sending end.
-    pub(super) fn new(mut session: Session, file: ServedFile, robot: Robot) -> (Self, HubSender) {
+impl<S: LiveSession> Hub<S> {
+    /// Returns a hub and its sending end. The session does not check texts.
+    pub(super) fn new(
+        session: S,
+        file: ServedFile,
+        robot: Robot,
+        controls: Option<Arc<Controls>>,
+    ) -> (Self, HubSender) {
         let (events, received) = channel();
         let (stops, received_stops) = channel();
         let sender = HubSender {
             events,
             stops,
             stopped: Arc::default(),
+            controls,
         };
         let checks = Arc::<CheckQueue>::default();
-        session.hand_over();
         let (queue, own) = (Arc::clone(&checks), sender.clone());
         thread::spawn(move || queue.work(TextChecker::new(robot), &own));
         let hub = Hub {
@@ -126,9 +196,7 @@ impl Hub {
             let now = Instant::now();
             let elapsed = now - std::mem::replace(&mut last, now);
             let turn = now + TURN;
-            let goes_on = || Instant::now() < turn;
-            self.session
-                .advance(elapsed.as_secs_f64() * 1000.0, goes_on);
+            self.session.advance(elapsed, &|| Instant::now() < turn);
             self.send_updates();
         }
         for (outbox, _) in &self.viewers {
@@ -165,7 +233,7 @@ impl Hub {
                 by: Arc::downgrade(&outbox),
                 since: Instant::now(),
             });
-            if let Some(answer) = self.session.ask(&asked, &mut self.file) {
+            if let Some(answer) = self.session.ask(&outbox, &asked, &mut self.file) {
                 outbox.put(answer);
             }
         }
@@ -213,7 +281,7 @@ impl Hub {
         let answer = if asked.moves() && (is_late || self.is_held(&outbox)) {
             Some(asked.refused_stopped())
         } else {
-            self.session.ask(&asked, &mut self.file)
+            self.session.ask(&outbox, &asked, &mut self.file)
         };
         match answer {
             Some(answer) => outbox.answer(answer),
@@ -227,7 +295,7 @@ impl Hub {
         self.viewers.retain(|(outbox, _)| is_here(outbox));
         for (outbox, viewer) in &mut self.viewers {
             while outbox.has_room() {
-                let Some(update) = self.session.update(viewer) else {
+                let Some(update) = self.session.update(outbox, viewer) else {
                     break;
                 };
                 outbox.put(update);
@@ -308,8 +376,10 @@ const MAX_REQUESTS: usize = 32;
 
 /// Messages for a viewer, filled by the hub and emptied by the thread of the viewer. A slow viewer gets fewer and larger updates
 /// instead of a long queue.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Outbox {
+    /// The number of its connection.
+    pub(super) number: u64,
     texts: Mutex<VecDeque<String>>,
     closed: AtomicBool,
     /// Number of requests without a response.
@@ -317,6 +387,15 @@ pub(super) struct Outbox {
 }
 
 impl Outbox {
+    pub(super) fn new(number: u64) -> Self {
+        Outbox {
+            number,
+            texts: Mutex::default(),
+            closed: AtomicBool::new(false),
+            asked: AtomicUsize::new(0),
+        }
+    }
+
     /// Returns true if there is room for another update.
     pub(super) fn has_room(&self) -> bool {
         !self.is_closed() && self.texts().len() < MAX_UPDATES

@@ -1,6 +1,7 @@
 //! `tip serve`: what viewers at WebSockets see and do.
 
 mod client;
+mod driving;
 mod editing;
 mod hostile;
 

@@ -9,7 +9,8 @@ const VOLTS = 10;
 /** The events of keys that write no character. */
 const CODES = { Enter: 'key 0x0D', Escape: 'halt', Backspace: 'key 0x08' };
 
-export function controls(requests, recording) {
+/** `driving` takes the sticks of a robot on servos. */
+export function controls(requests, recording, driving) {
   const happen = (event) => requests.send({ do: 'event', event });
   element('stop').addEventListener('click', () => happen(CODES.Enter));
   // A paused run receives the halt request only when it continues.
@@ -49,7 +50,7 @@ export function controls(requests, recording) {
     keys.value = '';
   });
   whenSpoken(() => (keys.placeholder = word('typeHere')));
-  const stick = sticks(happen, recording);
+  const stick = sticks((name, volts) => driving.steer(name, volts) || happen(`${name}=${volts}`), recording);
   let knobs = [];
   /** Shows the inputs of a run that begins. */
   const begin = () => {

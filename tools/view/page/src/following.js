@@ -39,9 +39,12 @@ export class FollowingPlayer extends Player {
     this.changed();
   }
 
-  /** Steps the run itself by one cycle, or the view if it shows an earlier cycle or the step is longer. */
+  /**
+   * Steps the run itself by some cycles, or the view if it shows an earlier cycle, if the step is longer than one cycle, or if the
+   * run only goes forward.
+   */
   step(cycles) {
-    if (!this.following || !Number.isFinite(cycles) || Math.abs(cycles) > 1) return this.goTo(this.cycle + cycles);
+    if (this.goesForward || !this.following || !Number.isFinite(cycles) || Math.abs(cycles) > 1) return this.goTo(this.cycle + cycles);
     return this.requests.send({ do: 'step', cycles });
   }
 

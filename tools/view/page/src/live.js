@@ -1,6 +1,7 @@
 // The page of a live run with any session.
 
 import { controls } from './controls.js';
+import { Driving } from './driving.js';
 import { element } from './dom.js';
 import { Editor } from './editor.js';
 import { showFigures } from './figures.js';
@@ -48,6 +49,7 @@ export function openLive(session, stage) {
     text: (update) => page.editor.takeText(update),
     findings: (update) => page.editor.takeFindings(update),
     status: (update) => page.status(update),
+    robot: (update) => page.robot(update),
   };
   session.listen((update) => takes[update.type]?.(update));
   session.watch?.((reached) => {
@@ -79,7 +81,8 @@ function build(requests, recording, stage) {
     showTab('plots-tab');
     charts().showVariable(scalar);
   }, (name, value) => requests.send({ do: 'event', event: `set ${name}=${value}` }));
-  const knobs = controls(requests, recording);
+  const driving = new Driving(requests);
+  const knobs = controls(requests, recording, driving);
 
   const showNames = () => {
     const { title, name } = recording.script;
@@ -175,6 +178,10 @@ function build(requests, recording, stage) {
       if (dirty) return;
       dirty = true;
       requestAnimationFrame(draw);
+    },
+    robot(update) {
+      player.goesForward = true;
+      driving.take(update);
     },
     status(update) {
       status = update;

@@ -26,6 +26,12 @@
 //                                         from, to, text, fills}]: descriptions in English and Japanese, and the
 //                                         text a snippet of LSP if it `fills` places
 //
+// and for a robot on servos, where only the viewer that drives moves it, and the emergency stop is for all:
+//
+//   {do: 'take'}   {do: 'give'}           takes the robot, or asks its driver for it; hands it to the viewer that asks
+//   {do: 'drive', press, sticks}          a sign of life, every 100 ms: the number of the press of the button, 0 while it is not
+//                                         pressed, and what VR1 to VR3 read, V. It has no answer unless it is refused
+//
 // Updates, by their `type`:
 //
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
@@ -42,8 +48,14 @@
 //              `outcome`: how and when it ended; `summary`: its figures (docs/files.md), unless it plays; `running`: the
 //              version of the text that runs; `changed`: the text of the editor differs from the file; `overtaken`: someone
 //              else has changed the file
+//   robot      {driver, held, asked, hold, stage, phase, servos, answers, late, stopped_in, problem}: a robot on servos.
+//              `driver`: this viewer drives; `held`: somebody drives; `asked`: another viewer asks to drive; `hold`: the button
+//              is needed; `phase`: ready, approach, running, leaving or left; `stage`: driven, paused, halt or emergency;
+//              `servos`: each has `joint`, `id`, `angle`, `load`, `voltage`, `temperature` and `age`; `answers`: asked for and
+//              got; `late`: number of late cycles; `stopped_in`: ms that the emergency stop took; `problem`: what is wrong
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
-//              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
+//              over, many, stale, errors, unspelled, unsaved, unread, flood, and of a robot on servos
+//              watching, hold, forward, moving, still or simulated; `detail` says more
 
 // Keys of the log, with their values. A value holds until the next one; a key without entries is left out. Legs, fingers and
 // threads count from 1 in keys, as in programs, but for those of slips:

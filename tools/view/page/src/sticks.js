@@ -1,4 +1,4 @@
-// Sticks of a control box: keys and a pad move the inputs VR1 to VR3 of a program that reads them. Released sticks spring back.
+// Sticks of a control box: keys and pads move the inputs VR1 to VR3 of a program that reads them. Released sticks spring back.
 
 import { element } from './dom.js';
 
@@ -18,17 +18,18 @@ function readsSticks({ text }) {
   return [1, 2, 3].every((n) => new RegExp(`\\bAD_IN[\\s,]+VR${n}\\b`, 'i').test(code));
 }
 
-export function sticks(happen, recording) {
+/** `steer(name, volts)` moves a stick. */
+export function sticks(steer, recording) {
   const isRead = () => readsSticks(recording.script);
   const shown = {};
   const move = (name, volts) => {
     if (shown[name] === volts) return;
     shown[name] = volts;
-    happen(`${name}=${volts}`);
+    steer(name, volts);
   };
   // Of the pressed keys of a stick, the last one counts. When it is released, the one before counts again.
   const pressed = [];
-  const follow = (name) => {
+  const followKeys = (name) => {
     const last = pressed.findLast((code) => KEYS[code][0] === name);
     move(name, last ? KEYS[last][1] : REST);
   };
@@ -36,7 +37,7 @@ export function sticks(happen, recording) {
     const place = pressed.indexOf(code);
     if (place < 0) return;
     pressed.splice(place, 1);
-    follow(KEYS[code][0]);
+    followKeys(KEYS[code][0]);
   };
   // The capture phase comes before the page's shortcuts, which include arrow keys.
   document.addEventListener('keydown', (event) => {
@@ -47,46 +48,53 @@ export function sticks(happen, recording) {
     event.stopPropagation();
     if (pressed.includes(code)) return;
     pressed.push(code);
-    follow(KEYS[code][0]);
+    followKeys(KEYS[code][0]);
   }, true);
   document.addEventListener('keyup', ({ code }) => release(code), true);
   // The page gets no event for a key that is released elsewhere.
   window.addEventListener('blur', () => [...pressed].forEach(release));
 
-  const pad = element('stick');
-  const thumb = pad.firstElementChild;
-  const place = (right, ahead) => {
-    thumb.style.transform = `translate(${right * 100}%, ${-ahead * 100}%)`;
-  };
   const part = (at, from, size) => Math.min(Math.max((2 * (at - from)) / size - 1, -1), 1);
-  let [due, aim] = [];
-  const steer = ({ clientX, clientY }) => {
-    const { left, top, width, height } = pad.getBoundingClientRect();
-    const [right, ahead] = [part(clientX, left, width), -part(clientY, top, height)];
-    place(right, ahead);
-    aim = [ahead, -right];
-    // One event for each frame, however fast the pointer moves.
-    due ??= requestAnimationFrame(() => {
-      due = undefined;
-      aim?.forEach((share, n) => move(`VR${n + 1}`, Math.round(10 * (REST + share * REST)) / 10));
+  /** A pad whose thumb is moved to the right and ahead, and what it does to the sticks then, as shares of their ranges. */
+  const pad = (box, aims) => {
+    const thumb = box.firstElementChild;
+    const names = Object.keys(aims(0, 0));
+    const place = (right, ahead) => {
+      thumb.style.transform = `translate(${right * 100}%, ${-ahead * 100}%)`;
+    };
+    let [due, aim] = [];
+    const follow = ({ clientX, clientY }) => {
+      const { left, top, width, height } = box.getBoundingClientRect();
+      const [right, ahead] = [part(clientX, left, width), -part(clientY, top, height)];
+      place(right, box.dataset.flat === undefined ? ahead : 0);
+      aim = aims(right, ahead);
+      // One event for each frame, however fast the pointer moves.
+      due ??= requestAnimationFrame(() => {
+        due = undefined;
+        for (const [name, share] of Object.entries(aim ?? {})) move(name, Math.round(10 * (REST + share * REST)) / 10);
+      });
+    };
+    const rest = () => {
+      aim = undefined;
+      place(0, 0);
+      names.forEach((name) => move(name, REST));
+    };
+    box.addEventListener('pointerdown', (event) => {
+      box.setPointerCapture(event.pointerId);
+      follow(event);
     });
+    box.addEventListener('pointermove', (event) => box.hasPointerCapture(event.pointerId) && follow(event));
+    for (const end of ['pointerup', 'pointercancel']) box.addEventListener(end, rest);
+    return box;
   };
-  const rest = () => {
-    aim = undefined;
-    place(0, 0);
-    move('VR1', REST);
-    move('VR2', REST);
-  };
-  pad.addEventListener('pointerdown', (event) => {
-    pad.setPointerCapture(event.pointerId);
-    steer(event);
-  });
-  pad.addEventListener('pointermove', (event) => pad.hasPointerCapture(event.pointerId) && steer(event));
-  for (const end of ['pointerup', 'pointercancel']) pad.addEventListener(end, rest);
+  const pads = [
+    pad(element('stick'), (right, ahead) => ({ VR1: ahead, VR2: -right })),
+    pad(element('sidestep'), (right) => ({ VR3: right })),
+  ];
   return {
-    /** Shows the pad of a run that begins, if its program reads a stick. */
+    /** Shows the pads of a run that begins, if its program reads sticks. */
     begin() {
-      pad.hidden = !isRead();
+      pads.forEach((box) => (box.hidden = !isRead()));
       for (const name of Object.keys(shown)) delete shown[name];
       pressed.length = 0;
     },

@@ -1,6 +1,7 @@
 //! Requests of viewers and the answers, among them language features of the page's editor: diagnostics, hovers and completions.
 
 use super::MOST_BYTES;
+use super::driver::Sign;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use tip_ide::Document;
@@ -45,6 +46,33 @@ impl ClientRequest {
         )
     }
 
+    /// Returns what a viewer of a robot on servos does as its driver, if it is such a request.
+    pub fn driving(&self) -> Option<Driving> {
+        match self.request.as_ref().ok()? {
+            Request::Take {} => Some(Driving::Take),
+            Request::Give {} => Some(Driving::Give),
+            Request::Drive(sign) => Some(Driving::Sign(*sign)),
+            Request::Pause {} => Some(Driving::Pause),
+            Request::Play {} => Some(Driving::Resume),
+            _ => None,
+        }
+    }
+
+    /// Answers that it was done.
+    pub fn done(&self) -> String {
+        Answer::new(self.id, Ok(None)).text()
+    }
+
+    /// Answers without doing it: the viewer does not drive the robot.
+    pub fn refused_watching(&self) -> String {
+        Answer::new(self.id, refuse("watching")).text()
+    }
+
+    /// Answers without doing it: the robot moves only while the button is held.
+    pub fn refused_hold(&self) -> String {
+        Answer::new(self.id, refuse("hold")).text()
+    }
+
     /// Answers without doing it: there are too many requests.
     pub fn refused_many(&self) -> String {
         Answer::new(self.id, refuse("many")).text()
@@ -54,6 +82,21 @@ impl ClientRequest {
     pub fn refused_stopped(&self) -> String {
         Answer::new(self.id, refuse("over")).text()
     }
+}
+
+/// A request of a driver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Driving {
+    /// Takes the robot, or asks its holder for it.
+    Take,
+    /// Hands the robot to the viewer that asks for it.
+    Give,
+    /// A sign of life.
+    Sign(Sign),
+    /// Pauses the robot.
+    Pause,
+    /// Ends a pause.
+    Resume,
 }
 
 /// Returns true if an event is an emergency stop.
@@ -89,6 +132,12 @@ pub(super) enum Request {
     Hover { at: Place },
     /// Asks for the completions at a place.
     Complete { at: Place },
+    /// Takes the robot, or asks its holder for it.
+    Take {},
+    /// Hands the robot to the viewer that asks for it.
+    Give {},
+    /// A sign of life of the page that drives.
+    Drive(Sign),
 }
 
 /// The reason why a request is refused: a word that the page translates, and perhaps its subject.
@@ -284,6 +333,30 @@ impl PageDiagnostic {
                 .as_ref()
                 .map(|help| both(&|lang| help.in_lang(lang).to_string())),
             classical: diagnostic.message(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_of_life_is_read() {
+        let asked = ClientRequest::read(r#"{"do":"drive","press":3,"sticks":[5,0,10]}"#);
+        let sign = Sign {
+            press: 3,
+            sticks: [5.0, 0.0, 10.0],
+        };
+        assert_eq!(asked.driving(), Some(Driving::Sign(sign)), "{asked:?}");
+        for wrong in [
+            r#"{"do":"drive","press":-1,"sticks":[5,5,5]}"#,
+            r#"{"do":"drive","press":1,"sticks":[5,5]}"#,
+            r#"{"do":"drive","press":1,"sticks":[5,5,null]}"#,
+            r#"{"do":"drive","press":1,"sticks":[5,5,5],"arm":true}"#,
+            r#"{"do":"drive","press":1}"#,
+        ] {
+            assert_eq!(ClientRequest::read(wrong).driving(), None, "{wrong}");
         }
     }
 }

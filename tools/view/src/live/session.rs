@@ -1,16 +1,13 @@
-//! A program that runs, the text that becomes the next one, what viewers do to both, and the news for each viewer.
+//! A program that runs on a simulated robot, the text that becomes the next one, and what viewers do to both.
 
-use super::request::{
-    Answer, ClientRequest, PageDiagnostic, Refusal, Request, is_stop, refuse, refuse_since,
-};
+use super::Host;
+use super::request::{Answer, ClientRequest, Refusal, Request, is_stop, refuse, refuse_since};
 use super::runner::Runner;
 use super::text::{Buffer, CheckedText, TextChecker, UncheckedText};
-use super::{Host, MOST_BYTES};
-use crate::recording::Recording;
-use crate::updates::{self, Ended, Part, json};
-use serde::Serialize;
+use super::viewer::{self, Status, Viewer, Watched};
+use crate::recording::{Frame, Recording};
 use tip_runtime::command::Port;
-use tip_sim::{Event, Events, Robot, Summary};
+use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
 
 /// Range of speeds of a run, as multiples of the robot's own.
@@ -19,8 +16,6 @@ const SPEEDS: std::ops::RangeInclusive<f64> = 0.05..=100.0;
 const LATE: f64 = 100.0;
 /// The most cycles of one step.
 const STEP: i64 = 1000;
-/// The longest name by which a viewer calls itself.
-const NAME: usize = 64;
 
 /// The setup of a session.
 #[derive(Clone, Debug)]
@@ -244,8 +239,8 @@ impl Session {
                 self.play();
                 Ok(())
             }
-            Request::Edit { text, base, by } => self.edit(text, *base, by),
-            Request::Save {} => self.save(host),
+            Request::Edit { text, base, by } => self.buffer.take_edit(text, *base, by),
+            Request::Save {} => self.buffer.save(host),
             Request::Reload {} => match host.read() {
                 Ok(bytes) => {
                     self.load(&bytes);
@@ -253,6 +248,7 @@ impl Session {
                 }
                 Err(reason) => refuse_since("unread", reason),
             },
+            Request::Take {} | Request::Give {} | Request::Drive(_) => refuse("simulated"),
         }
     }
 
@@ -306,29 +302,6 @@ impl Session {
         Ok(())
     }
 
-    fn edit(&mut self, text: &str, base: u64, by: &str) -> Result<(), Refusal> {
-        if base != self.buffer.version {
-            return refuse("stale");
-        }
-        if by.len() > NAME || text.len() > MOST_BYTES {
-            return refuse("long");
-        }
-        self.buffer.edit(text, by.to_owned());
-        Ok(())
-    }
-
-    fn save(&mut self, host: &mut dyn Host) -> Result<(), Refusal> {
-        let bytes = match self.buffer.bytes() {
-            Ok(bytes) => bytes,
-            Err(char) => return refuse_since("unspelled", char),
-        };
-        match host.write(&bytes) {
-            Ok(()) => self.buffer.saved(&bytes),
-            Err(reason) => return refuse_since("unsaved", reason),
-        }
-        Ok(())
-    }
-
     /// Takes over a changed file. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
     /// text stays, and viewers learn of it.
     pub fn file_changed(&mut self, bytes: &[u8]) {
@@ -346,6 +319,11 @@ impl Session {
         self.buffer.reload(bytes);
         self.runs_next = Some(self.buffer.version);
         self.check();
+    }
+
+    /// Returns the next update for a viewer; none if it has everything.
+    pub fn update(&self, viewer: &mut Viewer) -> Option<String> {
+        viewer::update(self, viewer)
     }
 
     /// Returns the number of cycles that have run, as far as the run has not been taken back.
@@ -369,164 +347,55 @@ impl std::fmt::Debug for Session {
     }
 }
 
-/// The most frames of one update; who has seen nothing gets several.
-const MOST_FRAMES: usize = 1000;
-/// The most entries of the log in one update.
-const MOST_ENTRIES: usize = 20_000;
-
-/// The state that one viewer has.
-#[derive(Clone, Debug, Default)]
-pub struct Viewer {
-    /// The run that it sees; the first one is 1.
-    run: u64,
-    /// Cycle of that run up to which the viewer has everything.
-    cycle: u64,
-    /// Number of times that the run had been taken back.
-    cuts: u64,
-    /// The text, by version.
-    text: u64,
-    /// Version of the text whose diagnostics the viewer has.
-    findings: u64,
-    /// Status of the run.
-    status: String,
-}
-
-#[derive(Serialize)]
-struct Text<'a> {
-    r#type: &'static str,
-    version: u64,
-    by: &'a str,
-    text: &'a str,
-}
-
-#[derive(Serialize)]
-struct Found<'a> {
-    r#type: &'static str,
-    version: u64,
-    findings: &'a [PageDiagnostic],
-    good: bool,
-}
-
-#[derive(Serialize)]
-struct Status<'a> {
-    r#type: &'static str,
-    playing: bool,
-    speed: f64,
-    late: bool,
-    over: bool,
-    outcome: Option<Ended<'a>>,
-    /// The figures so far, while the run rests.
-    summary: Option<&'a Summary>,
-    /// The text that runs, by version.
-    running: u64,
-    changed: bool,
-    overtaken: bool,
-}
-
-impl Session {
-    /// Returns the next update for a viewer; none if it has everything.
-    pub fn update(&self, viewer: &mut Viewer) -> Option<String> {
-        if viewer.run != self.runs {
-            return Some(begin(self, viewer));
-        }
-        let runner = &self.runner;
-        if viewer.cycle < runner.taken() || viewer.cuts != runner.cut_count {
-            let Some(cut) = runner.cut_since(viewer.cuts) else {
-                return Some(begin(self, viewer));
-            };
-            return Some(more(self, viewer, cut));
-        }
-        let buffer = &self.buffer;
-        if viewer.text != buffer.version {
-            viewer.text = buffer.version;
-            return Some(json(&Text {
-                r#type: "text",
-                version: buffer.version,
-                by: &buffer.author,
-                text: &buffer.text,
-            }));
-        }
-        if viewer.findings != buffer.checked() {
-            viewer.findings = buffer.checked();
-            return Some(json(&Found {
-                r#type: "findings",
-                version: buffer.checked(),
-                findings: buffer.findings(),
-                good: buffer.program().is_some(),
-            }));
-        }
-        let status = status(self);
-        if viewer.status != status {
-            viewer.status.clone_from(&status);
-            return Some(status);
-        }
-        None
+impl Watched for Session {
+    fn runs(&self) -> u64 {
+        self.runs
     }
-}
 
-fn begin(session: &Session, viewer: &mut Viewer) -> String {
-    let recording = session.runner.recording();
-    viewer.run = session.runs;
-    viewer.cycle = 0;
-    viewer.cuts = session.runner.cut_count;
-    viewer.status.clear();
-    updates::begin(recording, session.runs, &inputs(session))
-}
+    fn recording(&self) -> &Recording {
+        self.runner.recording()
+    }
 
-/// Returns the inputs that a page has sliders for.
-fn inputs(session: &Session) -> Vec<String> {
-    let ports = (1..=3).map(Port::Knob).chain([Port::Antenna]);
-    let ports = ports.chain((1..=9).map(Port::Paw));
-    let owned = ports.filter(|port| session.robot.has_input(*port));
-    owned.map(|port| port.to_string()).collect()
-}
+    fn taken(&self) -> u64 {
+        self.runner.taken()
+    }
 
-fn more(session: &Session, viewer: &mut Viewer, cut: u64) -> String {
-    let runner = &session.runner;
-    let recording = runner.recording();
-    let from = viewer.cycle.min(cut).min(runner.taken());
-    let until = until(recording, from, runner.taken());
-    let is_all = until == runner.taken();
-    (viewer.cycle, viewer.cuts) = (until, runner.cut_count);
-    let part = Part {
-        run: session.runs,
-        first: runner.first(),
-        from,
-        until,
-        cycles: until,
-        now: runner.pending().filter(|_| is_all),
-    };
-    updates::more(recording, &part)
-}
+    fn first(&self) -> u64 {
+        self.runner.first()
+    }
 
-/// Returns the cycle up to which one update may go.
-fn until(recording: &Recording, from: u64, taken: u64) -> u64 {
-    let after = |place: usize, most: usize, cycle: &dyn Fn(usize) -> Option<u64>| {
-        cycle(place + most).map_or(taken, |cycle| cycle.max(from + 1))
-    };
-    let frames = &recording.frames;
-    let frame = frames.partition_point(|it| it.cycle < from);
-    let log = &recording.log;
-    let entry = log.partition_point(|it| it.cycle < from);
-    let limits = [
-        after(frame, MOST_FRAMES, &|at| frames.get(at).map(|it| it.cycle)),
-        after(entry, MOST_ENTRIES, &|at| log.get(at).map(|it| it.cycle)),
-    ];
-    limits.into_iter().fold(taken, u64::min)
-}
+    fn pending(&self) -> Option<&Frame> {
+        self.runner.pending()
+    }
 
-fn status(session: &Session) -> String {
-    let runner = &session.runner;
-    json(&Status {
-        r#type: "status",
-        playing: session.is_playing,
-        speed: session.speed,
-        late: session.is_late,
-        over: runner.is_over(),
-        summary: (!session.is_playing).then(|| runner.summary()),
-        outcome: runner.is_over().then(|| Ended::of(runner.recording())),
-        running: session.running,
-        changed: session.buffer.is_changed(),
-        overtaken: session.buffer.is_overtaken,
-    })
+    fn cuts(&self) -> u64 {
+        self.runner.cut_count
+    }
+
+    fn cut_since(&self, known: u64) -> Option<u64> {
+        self.runner.cut_since(known)
+    }
+
+    fn buffer(&self) -> &Buffer {
+        &self.buffer
+    }
+
+    fn inputs(&self) -> Vec<String> {
+        let ports = (1..=3).map(Port::Knob).chain([Port::Antenna]);
+        let ports = ports.chain((1..=9).map(Port::Paw));
+        let owned = ports.filter(|port| self.robot.has_input(*port));
+        owned.map(|port| port.to_string()).collect()
+    }
+
+    fn status(&self) -> Status<'_> {
+        let runner = &self.runner;
+        Status {
+            playing: self.is_playing,
+            speed: self.speed,
+            late: self.is_late,
+            over: runner.is_over(),
+            summary: (!self.is_playing).then(|| runner.summary()),
+            running: self.running,
+        }
+    }
 }

@@ -1,12 +1,17 @@
 //! The program as it stands in the editor, its checks and answers about it. They may take long and so are kept out of the run.
 
 use super::request::{
-    self, Answer, ClientRequest, LanguageAnswer, PageDiagnostic, Request, findings,
+    self, Answer, ClientRequest, LanguageAnswer, PageDiagnostic, Refusal, Request, findings,
+    refuse, refuse_since,
 };
+use super::{Host, MOST_BYTES};
 use tip_ide::Document;
 use tip_sim::Robot;
 use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
+
+/// The longest name by which a viewer calls itself.
+const NAME: usize = 64;
 
 /// The text that viewers edit, and the file that it comes from.
 #[derive(Debug)]
@@ -48,12 +53,42 @@ impl Buffer {
         }
     }
 
+    /// Returns the name of the file.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
     /// Replaces the text, on behalf of a viewer.
-    pub(super) fn edit(&mut self, text: &str, author: String) {
+    fn edit(&mut self, text: &str, author: String) {
         self.text = plain(text);
         self.author = author;
         self.version += 1;
         self.is_file = false;
+    }
+
+    /// Takes a viewer's text in the place of the version `base`.
+    pub(super) fn take_edit(&mut self, text: &str, base: u64, by: &str) -> Result<(), Refusal> {
+        if base != self.version {
+            return refuse("stale");
+        }
+        if by.len() > NAME || text.len() > MOST_BYTES {
+            return refuse("long");
+        }
+        self.edit(text, by.to_owned());
+        Ok(())
+    }
+
+    /// Writes the text to the file.
+    pub(super) fn save(&mut self, host: &mut dyn Host) -> Result<(), Refusal> {
+        let bytes = match self.bytes() {
+            Ok(bytes) => bytes,
+            Err(char) => return refuse_since("unspelled", char),
+        };
+        match host.write(&bytes) {
+            Ok(()) => self.saved(&bytes),
+            Err(reason) => return refuse_since("unsaved", reason),
+        }
+        Ok(())
     }
 
     /// Takes the text of the file.
@@ -131,12 +166,12 @@ impl Buffer {
     ///
     /// # Errors
     /// A character that its encoding lacks.
-    pub(super) fn bytes(&self) -> Result<Vec<u8>, char> {
+    fn bytes(&self) -> Result<Vec<u8>, char> {
         self.file.encode(&self.text)
     }
 
     /// Notes that the file has these bytes now.
-    pub(super) fn saved(&mut self, bytes: &[u8]) {
+    fn saved(&mut self, bytes: &[u8]) {
         // Without its Japanese it would be guessed to be something else.
         let encoding = match self.file.charset() {
             Charset::Utf8 => Encoding::Utf8,

@@ -15,6 +15,9 @@ use tungstenite::{Error, Message, WebSocket};
 /// Nothing takes so long, on however busy a machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Time between two signs of life of a viewer that drives.
+const SOON: Duration = Duration::from_millis(50);
+
 /// `tip serve` while it runs.
 pub(super) struct Server {
     child: Child,
@@ -23,8 +26,13 @@ pub(super) struct Server {
 
 impl Server {
     pub(super) fn begin(folder: &Folder, arguments: &[&str]) -> Self {
+        Self::with_keys(folder, arguments, Stdio::null())
+    }
+
+    /// Begins with a keyboard.
+    pub(super) fn with_keys(folder: &Folder, arguments: &[&str], keys: Stdio) -> Self {
         let mut command = folder.command(&[&["serve", "--quiet"], arguments].concat());
-        command.stdout(Stdio::piped());
+        command.stdin(keys).stdout(Stdio::piped());
         let mut child = command.spawn().expect("tip starts");
         let mut address = String::new();
         let mut lines = BufReader::new(child.stdout.take().expect("piped"));
@@ -132,6 +140,8 @@ pub(super) struct Socket {
     pub(super) version: u64,
     pub(super) findings: Value,
     pub(super) status: Value,
+    /// The state of a robot on servos.
+    pub(super) robot: Value,
 }
 
 impl Socket {
@@ -149,6 +159,7 @@ impl Socket {
             version: 0,
             findings: Value::Null,
             status: Value::Null,
+            robot: Value::Null,
         }
     }
 
@@ -210,6 +221,7 @@ impl Socket {
             }
             "findings" => self.findings = update.clone(),
             "status" => self.status = update.clone(),
+            "robot" => self.robot = update.clone(),
             "answer" => {}
             other => panic!("{other}"),
         }
@@ -223,6 +235,19 @@ impl Socket {
                 return update;
             }
         }
+    }
+
+    /// Takes an update if one comes soon.
+    pub(super) fn next_soon(&mut self) {
+        let wait = |socket: &Self, time| socket.socket.get_ref().set_read_timeout(Some(time));
+        wait(self, SOON).expect("a timeout");
+        match self.socket.read() {
+            Ok(Message::Text(text)) => self.take(&serde_json::from_str(&text).expect("JSON")),
+            Ok(Message::Ping(_) | Message::Pong(_)) => {}
+            Err(Error::Io(_)) => {}
+            other => panic!("{other:?}"),
+        }
+        wait(self, PATIENCE).expect("a timeout");
     }
 
     /// Takes updates until it knows something.

@@ -1,0 +1,18 @@
+3.1
+Turns joint J11 as far as stick VR1 says, until a halt is requested
+DEF_VAR V
+DEF_VAR W
+DEF_VAR X
+DEF_VAR AIM
+LOOP:
+AD_IN VR1 V
+AD_IN VR2 W
+AD_IN VR3 X
+AIM = V * 8
+AIM = AIM - 40
+PTP_ANGLE HS J11 AIM
+IF HALT_REQUEST THEN
+EXIT
+ENDIF
+GOTO LOOP:
+END
