@@ -234,6 +234,27 @@ fn a_watcher_moves_nothing_and_stops_the_robot_at_any_time() {
     assert_eq!(page.socket.value("V"), Some(5.0));
 }
 
+/// Each request of a flood waits for the hub; the stop does not.
+#[test]
+fn the_emergency_stop_overtakes_a_flood_of_twenty_watchers() {
+    let mut bench = Bench::new("flood", STEERED, PATIENT);
+    let mut page = bench.driven();
+    let mut watchers: Vec<Page> = (0..20).map(|_| bench.watcher()).collect();
+    for watcher in &mut watchers {
+        for _ in 0..100 {
+            watcher.socket.say(r#"{"do":"hover","at":[3,3]}"#);
+        }
+    }
+    let stop = r#"{"do":"event","event":"key 0x0D"}"#;
+    watchers[19].socket.say(stop);
+    page.hold(AHEAD, is_left);
+    assert_eq!(page.socket.status["outcome"]["how"], "emergency");
+    assert_eq!(bench.bus.stiff(), ALL);
+    let stopped_in = page.socket.robot["stopped_in"].as_f64();
+    // A cycle of 20 ms; the machine of a test may be busy.
+    assert!(stopped_in.is_some_and(|it| it < 500.0), "{stopped_in:?} ms");
+}
+
 #[test]
 fn the_robot_is_handed_over_and_taken_from_a_page_that_is_gone() {
     let bench = Bench::new("lease", STEERED, PATIENT);
