@@ -5,6 +5,7 @@ mod connections;
 mod controls;
 mod hardware;
 mod hub;
+mod invitation;
 
 use crate::Action;
 use crate::arguments::RunArguments;
@@ -17,6 +18,7 @@ use crate::{Status, input, output, report, sticks};
 use clap::Args;
 use connections::Guard;
 use hub::{Hub, HubEvent, HubSender};
+use std::io::{self, IsTerminal};
 use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -147,6 +149,17 @@ impl Place {
         Ok(Place { listener, guard })
     }
 
+    /// Shows the address for other machines, which a phone reads by its camera, if there is a terminal to show it on.
+    fn invite(&self) {
+        let own = self.listener.local_addr().ok();
+        let reached = own.and_then(invitation::reached_at);
+        let address = reached.map(|reached| self.guard.address_at(reached));
+        let address = address.filter(|_| io::stderr().is_terminal());
+        if let Some((code, address)) = address.and_then(|it| Some((invitation::code(&it)?, it))) {
+            report::complain(&format!("{address}\n{code}\n"));
+        }
+    }
+
     /// Prints the address, and lets viewers in.
     fn open(self, arguments: &Serve, sender: HubSender) -> Result<(), Error> {
         let lang = arguments.run.source.output_options.lang();
@@ -159,6 +172,7 @@ impl Place {
             }
         }
         if !arguments.quiet {
+            self.invite();
             report::say(Using::ServeEnds, lang);
         }
         watch(&arguments.run.file, sender.clone())?;

@@ -215,6 +215,11 @@ impl Guard {
                 SocketAddr::V6(_) => std::net::Ipv6Addr::LOCALHOST.into(),
             });
         }
+        self.address_at(shown)
+    }
+
+    /// Returns the address of the page at an address of this machine.
+    pub(super) fn address_at(&self, shown: SocketAddr) -> String {
         format!("http://{shown}/?token={}", self.token)
     }
 
