@@ -118,8 +118,7 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
             place.open(arguments, sender)?;
             let control = prepared.start();
             hub.run();
-            // A control cycle that panicked has left the robot as in an emergency.
-            Ok(control.join().unwrap_or(Status::Emergency))
+            Ok(control.end())
         }
         None => {
             let (session, file, robot) = arguments.session(path)?;

@@ -5,6 +5,9 @@
 //! ([`Session::update`]). Requests and updates are JSON objects; `page/src/session.js` lists them. A viewer that looks
 //! seldom gets fewer and larger updates; nothing waits for it.
 //!
+//! A [`DrivenSession`] shows a run on the servos of a real robot, which goes forward alone. A [`Driver`] decides which of its viewers
+//! drives the robot, and what the silence of that one leads to.
+//!
 //! ```
 //! use tip_view::live::{NoFile, Session, Setup, Viewer};
 //! use tip_view::tip_sim::Robot;

@@ -88,9 +88,33 @@ pub(super) struct Prepared {
 
 impl Prepared {
     /// Starts the thread of the control cycle.
-    pub(super) fn start(self) -> JoinHandle<Status> {
+    pub(super) fn start(self) -> RunningControl {
         let has_priority = self.has_priority;
-        thread::spawn(move || self.control.work(has_priority))
+        let thread = thread::spawn(move || self.control.work(has_priority));
+        RunningControl(Some(thread))
+    }
+}
+
+/// The thread of the control cycle. Whatever ends the one that dropped it, a panic included, the robot is left first.
+pub(super) struct RunningControl(Option<JoinHandle<Status>>);
+
+impl RunningControl {
+    /// Waits until the robot is left, and returns the status of the command.
+    pub(super) fn end(mut self) -> Status {
+        self.join()
+    }
+
+    fn join(&mut self) -> Status {
+        let ended = self.0.take().map(JoinHandle::join);
+        // A control cycle that panicked has left the robot as in an emergency.
+        ended.and_then(Result::ok).unwrap_or(Status::Emergency)
+    }
+}
+
+impl Drop for RunningControl {
+    fn drop(&mut self) {
+        interrupt::request();
+        self.join();
     }
 }
 

@@ -120,7 +120,7 @@ impl Default for RobotState {
 /// Adds to the events of a program those that let its sticks rest.
 pub type LetRest = fn(&Program, Events) -> Events;
 
-/// A run on a robot with servos: see the [module](self).
+/// A run on a robot with servos, which people watch and one of them drives: see the [module](crate::live).
 pub struct DrivenSession {
     robot: Robot,
     events: Events,
