@@ -24,6 +24,10 @@ use tipc::source::Source;
 /// Time between two frames, at least, ms.
 const APART: f64 = 20.0;
 
+/// Length of the past of a run that goes on, and the excess at which it is cut, ms.
+const PAST: f64 = 300_000.0;
+const SLACK: f64 = 60_000.0;
+
 /// Rounding error of sums of times, ms.
 const ROUNDING: f64 = 1e-6;
 
@@ -596,6 +600,16 @@ impl Recording {
         let kept = self.log.partition_point(|entry| entry.cycle < from);
         self.log.truncate(kept);
         self.cycles = from;
+    }
+
+    /// Returns the cycle before which a run that goes on is forgotten now, ms; `None` if it is not long enough.
+    pub(crate) fn long_ago(&self, now: f64) -> Option<u64> {
+        let begins = self.frames.first()?.time;
+        if now - begins < PAST + SLACK {
+            return None;
+        }
+        let kept = self.frames.partition_point(|frame| frame.time < now - PAST);
+        self.frames.get(kept).map(|frame| frame.cycle)
     }
 
     /// Forgets what happened before a cycle, but for what still holds in it.

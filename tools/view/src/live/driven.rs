@@ -21,10 +21,6 @@ use tip_sim::{Cycle, Event, Events, Interpreter, Robot, Run, Snapshot, Timed};
 use tipc::Loaded;
 use tipc::program::Program;
 
-/// Length of the past that is kept, and the excess at which it is cut, ms.
-const PAST: f64 = 300_000.0;
-const SLACK: f64 = 60_000.0;
-
 /// Something that the driver wants of the run.
 #[derive(Clone, Debug)]
 pub enum Order {
@@ -318,7 +314,10 @@ impl DrivenSession {
         if let Some(ending) = ending {
             self.end(ending);
         }
-        self.forget(now);
+        if let Some(cycle) = self.recorder.recording.long_ago(now) {
+            self.first = cycle;
+            self.recorder.recording.forget(cycle);
+        }
     }
 
     /// Records the end of the run.
@@ -326,18 +325,6 @@ impl DrivenSession {
         if !std::mem::replace(&mut self.is_over, true) {
             self.recorder.recording.outcome = Outcome::from(ending);
         }
-    }
-
-    /// Forgets what lies too far back.
-    fn forget(&mut self, now: f64) {
-        let frames = &self.recorder.recording.frames;
-        let begins = frames.first().map(|frame| frame.time);
-        if begins.is_none_or(|begins| now - begins < PAST + SLACK) {
-            return;
-        }
-        let kept = frames.partition_point(|frame| frame.time < now - PAST);
-        self.first = frames.get(kept).map_or(self.first, |frame| frame.cycle);
-        self.recorder.recording.forget(self.first);
     }
 
     /// Sets the state of the robot, and what it may do.

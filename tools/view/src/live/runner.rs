@@ -8,9 +8,6 @@ use std::collections::VecDeque;
 use tip_sim::{Event, Events, Interpreter, Robot, Run, Summary, Timeline};
 use tipc::Loaded;
 
-/// Length of the past that is kept, and the excess at which it is cut, ms.
-const PAST: f64 = 300_000.0;
-const SLACK: f64 = 60_000.0;
 /// The most events that wait for one cycle, and that happen to one run.
 const MOST_WAITING: usize = 64;
 const MOST_EVENTS: usize = 100_000;
@@ -145,14 +142,9 @@ impl Runner {
 
     /// Forgets what lies too far back.
     fn forget(&mut self) {
-        let begins = self.recording().frames.first().map(|frame| frame.time);
-        let now = self.run().time();
-        if begins.is_none_or(|begins| now - begins < PAST + SLACK) {
+        let Some(cycle) = self.recording().long_ago(self.run().time()) else {
             return;
-        }
-        let frames = &self.recording().frames;
-        let kept = frames.partition_point(|frame| frame.time < now - PAST);
-        let cycle = frames.get(kept).map_or(0, |frame| frame.cycle);
+        };
         self.timeline.forget_before(cycle);
         let first = self.first();
         self.recorder.recording.forget(first);
