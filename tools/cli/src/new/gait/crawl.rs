@@ -1,7 +1,6 @@
 //! The body of a crawl: where it leans when a foot lifts, how long that takes, and how far feet are away then.
 
-use crate::new::gait::plan::beside;
-use crate::new::gait::reach::{Twist, left_behind};
+use crate::new::gait::reach::{Twist, beside, left_behind};
 use tip_runtime::model::Point;
 
 /// Number of times that the stride and the ways in it are calculated from each other.

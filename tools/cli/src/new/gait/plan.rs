@@ -4,7 +4,8 @@ use crate::message::Making;
 use crate::new::gait::Kind;
 use crate::new::gait::crawl::Crawl;
 use crate::new::gait::reach::{
-    Stride, Twist, angles, centre_of_mass, fastest_joint, largest, left_behind, margin, size,
+    Stride, Twist, angles, around, centre_of_mass, fastest_joint, largest, left_behind, margin,
+    middle, size,
 };
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
@@ -195,14 +196,6 @@ fn along(axis: usize, speed: f64) -> Twist {
     twist
 }
 
-/// Returns the two legs beside one, around the robot.
-pub(super) fn beside(feet: &[Point], leg: usize) -> [usize; 2] {
-    let order = around(feet);
-    let count = order.len();
-    let place = order.iter().position(|other| *other == leg).unwrap_or(0);
-    [count - 1, 1].map(|step| order[(place + step) % count])
-}
-
 /// Returns the name of the foot of a leg, from 0.
 pub(super) fn foot_name(leg: usize) -> String {
     Target::Foot(u8::try_from(leg + 1).unwrap_or(u8::MAX)).to_string()
@@ -245,21 +238,6 @@ fn groups(anatomy: &RobotDescription, kind: Kind) -> Result<Vec<Vec<usize>>, Mak
             Ok(order.into_iter().map(|leg| vec![leg]).collect())
         }
     }
-}
-
-/// Returns the middle of feet, mm.
-fn middle(feet: &[Point]) -> [f64; 2] {
-    let count = feet.len() as f64;
-    [0, 1].map(|axis| feet.iter().map(|foot| foot[axis]).sum::<f64>() / count)
-}
-
-/// Returns the legs in their order around the robot.
-fn around(feet: &[Point]) -> Vec<usize> {
-    let [x, y] = middle(feet);
-    let angle = |leg: usize| (feet[leg][1] - y).atan2(feet[leg][0] - x);
-    let mut order: Vec<usize> = (0..feet.len()).collect();
-    order.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
-    order
 }
 
 /// Returns the times of swing and pause that are tried, ms, the shortest first. `full` is the distance that the body of a crawl leans

@@ -5,7 +5,8 @@
 
 use crate::new::fill;
 use crate::new::gait::Kind;
-use crate::new::gait::plan::{Plan, beside, foot_name};
+use crate::new::gait::plan::{Plan, foot_name};
+use crate::new::gait::reach::beside;
 use std::fmt::Write as _;
 use tip_lint::format::format;
 use tip_sim::Robot;
