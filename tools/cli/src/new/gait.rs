@@ -1,5 +1,6 @@
 //! Steered gaits: the kinds, the numbers of a gait, and the choice of the fastest one that is safe.
 
+mod crawl;
 mod figures;
 mod plan;
 mod program;

@@ -112,10 +112,11 @@ impl Figures {
             },
         };
         trial.stand_up()?;
-        // Speeds are measured over whole strides: the body leans to both sides in each.
-        let whole = (WINDOW / plan.stride).ceil() * plan.stride;
-        let start = plan.delay / 1000.0 + plan.stride;
         for (axis, sticks) in FULL.into_iter().enumerate() {
+            // Speeds are measured over whole strides: the body leans to both sides in each.
+            let stride = plan.stride[[1, 0, 2][axis]];
+            let whole = (WINDOW / stride).ceil() * stride;
+            let start = plan.delay / 1000.0 + stride;
             trial.push(sticks)?;
             trial.walk(start)?;
             let from = trial.run.travel().ok_or_else(fails)?;

@@ -2,8 +2,10 @@
 
 use crate::message::Making;
 use crate::new::gait::Kind;
+use crate::new::gait::crawl::Crawl;
 use crate::new::gait::reach::{
-    Stride, Twist, angles, centre_of_mass, fastest_joint, largest, left_behind, margin, size,
+    Stride, Twist, angles, around, centre_of_mass, fastest_joint, largest, left_behind, margin,
+    middle, size,
 };
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
@@ -14,7 +16,7 @@ use tip_sim::RobotDescription;
 const SPEED_SHARE: f64 = 0.85;
 const TROT_SPEED_SHARE: f64 = 0.75;
 /// A crawl leaves some of it to the body's leaning.
-const CRAWL_SPEED_SHARE: f64 = 0.7;
+const CRAWL_SPEED_SHARE: f64 = 0.6;
 /// Share of the reach that a stride uses.
 const REACH_SHARE: f64 = 0.8;
 /// Least distance of the centre of mass from the edge of the support polygon, mm.
@@ -29,10 +31,14 @@ const FRICTION: f64 = 0.5;
 const TROT_SHARE: f64 = 0.8;
 /// Largest velocities that are tried: mm/s, mm/s, deg/s.
 const FASTEST: Twist = [1000.0, 1000.0, 180.0];
-/// Reserves of a crawl's balance, relative to what a slope takes, the best first: a small robot cannot lean so far.
-const RESERVES: [f64; 2] = [1.5, 0.3];
+/// Share of what a slope takes from the margin that a crawl keeps in reserve: the others are steps that are shorter then.
+const SLOPE_SHARE: f64 = 0.6;
 /// Time for which a program looks ahead at its feet, s.
 const LOOK_AHEAD: f64 = 0.3;
+/// Share of the reach beyond which the body waits for a foot.
+const WAIT_SHARE: f64 = 0.9;
+/// A crawl needs more of it for the body, which leans although it waits.
+const CRAWL_WAIT_SHARE: f64 = 0.7;
 /// Largest distance of a foot from its place that is tried, mm.
 const FARTHEST: f64 = 300.0;
 
@@ -67,8 +73,8 @@ pub(super) struct Plan {
     pub(super) top: Twist,
     /// Control cycle, ms.
     pub(super) cycle: f64,
-    /// Time in which every foot swings once, s.
-    pub(super) stride: f64,
+    /// Time in which every foot swings once, to the side, ahead, and turning: s.
+    pub(super) stride: [f64; 3],
 }
 
 impl Plan {
@@ -89,19 +95,19 @@ impl Plan {
         };
         let limit = speed_share * ServoDynamics::default().speed;
         let sway = match kind {
-            Kind::Crawl => stance.sway(legs)?,
+            Kind::Crawl => stance.sway(anatomy)?,
             _ => 0.0,
         };
         if kind != Kind::Trot {
-            stance.check_balance(&groups, sway)?;
+            stance.check_balance(anatomy, &groups, sway)?;
         }
-        let lean_to_side = sway * stance.widest() / (legs as f64 - 1.0);
-        let candidates = candidates(kind, cycle, height, lean_to_side);
+        let share = sway / (legs as f64 - 1.0);
+        let candidates = candidates(kind, cycle, height, Crawl::full(&stance.homes, share));
         let way = Way {
             anatomy,
             stance: &stance,
             groups: &groups,
-            sway: lean_to_side,
+            share,
             lift: 0.0,
             limit,
             cycle,
@@ -128,18 +134,17 @@ impl Plan {
         if kind == Kind::Trot {
             top[0] = top[0].min(ahead * stance.width_to_length());
         }
-        let mut reach = free.reach();
-        if kind == Kind::Crawl {
-            // Feet that come near each other leave the body too little to stand on.
-            reach = reach.map(|way| way * (0.5 * stance.spacing() / reach[1]).min(1.0));
-        }
-        let standing = free.stance_time(swing, pause);
+        let reach = free.reach();
+        let stride = [0, 1, 2].map(|axis| free.stride(along(axis, top[axis]), swing, pause));
+        let standing = stride[1] - swing / 1000.0;
         // At these speeds the body never waits for its feet.
         let steady = |way: f64| match kind {
-            Kind::Tripod | Kind::Trot => f64::INFINITY,
-            Kind::Wave | Kind::Crawl => 0.85 * way / (standing / 2.0 + LOOK_AHEAD),
+            Kind::Tripod | Kind::Trot | Kind::Crawl => f64::INFINITY,
+            Kind::Wave => 0.85 * way / (standing / 2.0 + LOOK_AHEAD),
         };
         let top = [0, 1, 2].map(|axis: usize| top[axis].min(steady(reach[axis])));
+        let share = free.share_of_all(top, swing, pause);
+        let top = top.map(|top| share * top);
         let ramp = match kind {
             Kind::Tripod | Kind::Trot => swing + pause,
             Kind::Wave | Kind::Crawl => 500.0 * standing,
@@ -154,7 +159,7 @@ impl Plan {
             lift,
             delay: round_to(ramp.max(grip), 50.0) + 50.0,
             sway: (sway * 100.0).round() / 100.0,
-            reach: round_to(0.9 * reach[1], 5.0),
+            reach: round_to(way.wait_share() * reach[1], 5.0),
             weight: [
                 tenth(reach[1] / reach[0].max(1.0)),
                 tenth(reach[1] / reach[2].max(0.1)),
@@ -169,35 +174,26 @@ impl Plan {
             ],
             groups,
             cycle,
-            stride: standing + swing / 1000.0,
+            stride,
         })
     }
 
-    /// Returns the groups of the two feet beside that of a group of one, around the robot.
-    pub(super) fn beside(&self, group: usize) -> [usize; 2] {
-        let order = around(&self.feet);
-        let count = order.len();
-        let leg = self.groups[group][0];
-        let place = order.iter().position(|other| *other == leg).unwrap_or(0);
-        [count - 1, 1].map(|step| {
-            let beside = order[(place + step) % count];
-            let mut groups = self.groups.iter();
-            groups
-                .position(|group| group.contains(&beside))
-                .unwrap_or(0)
-        })
-    }
-
-    /// Returns the gait with all speeds slower by a factor, and a body that waits sooner for its feet.
+    /// Returns the gait with all speeds slower by a factor; the body of a crawl leans more slowly as well.
     pub(super) fn slower(&self, factor: f64) -> Self {
         let mut slower = self.clone();
-        slower.reach = (self.reach * (1.0 + factor) / 2.0).floor();
         if self.kind == Kind::Crawl {
             slower.pause = (self.pause / factor / self.cycle).round() * self.cycle;
         }
         slower.top = self.top.map(|top| (top * factor).floor().max(1.0));
         slower
     }
+}
+
+/// Returns a velocity along an axis: 0 to the right, 1 ahead, 2 turning.
+fn along(axis: usize, speed: f64) -> Twist {
+    let mut twist = [0.0; 3];
+    twist[axis] = speed;
+    twist
 }
 
 /// Returns the name of the foot of a leg, from 0.
@@ -244,23 +240,9 @@ fn groups(anatomy: &RobotDescription, kind: Kind) -> Result<Vec<Vec<usize>>, Mak
     }
 }
 
-/// Returns the middle of feet, mm.
-fn middle(feet: &[Point]) -> [f64; 2] {
-    let count = feet.len() as f64;
-    [0, 1].map(|axis| feet.iter().map(|foot| foot[axis]).sum::<f64>() / count)
-}
-
-/// Returns the legs in their order around the robot.
-fn around(feet: &[Point]) -> Vec<usize> {
-    let [x, y] = middle(feet);
-    let angle = |leg: usize| (feet[leg][1] - y).atan2(feet[leg][0] - x);
-    let mut order: Vec<usize> = (0..feet.len()).collect();
-    order.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
-    order
-}
-
-/// Returns the times of swing and pause that are tried, ms, the shortest first.
-fn candidates(kind: Kind, cycle: f64, height: f64, lean: f64) -> Vec<(f64, f64)> {
+/// Returns the times of swing and pause that are tried, ms, the shortest first. `full` is the distance that the body of a crawl leans
+/// from one side to the other, mm.
+fn candidates(kind: Kind, cycle: f64, height: f64, full: f64) -> Vec<(f64, f64)> {
     let whole = |time: f64| (time / cycle).round().max(1.0) * cycle;
     let both = whole(20.0);
     match kind {
@@ -274,10 +256,10 @@ fn candidates(kind: Kind, cycle: f64, height: f64, lean: f64) -> Vec<(f64, f64)>
         }
         Kind::Crawl => {
             // The body leans over and stops with 0.4 of what friction gives it.
-            let way = 2.0 * lean / 1000.0;
+            let way = full / 1000.0;
             let time =
                 (std::f64::consts::PI.powi(2) * way / (2.0 * 0.4 * FRICTION * GRAVITY)).sqrt();
-            let shift = whole((1200.0 * time).max(500.0));
+            let shift = whole((1000.0 * time).max(300.0));
             let swings = (0..6).map(|n| whole(240.0 + 80.0 * f64::from(n)));
             swings.map(|swing| (swing, shift)).collect()
         }
@@ -364,37 +346,50 @@ impl Stance {
     }
 
     /// Returns how far the body must lean to the middle of the other feet before one lifts.
-    fn sway(&self, legs: usize) -> Result<f64, Making> {
-        /// Shares that are tried.
-        const SHARES: [f64; 6] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
-        // A slope takes the centre of mass aside, and so do feet that are away from their places.
+    fn sway(&self, anatomy: &RobotDescription) -> Result<f64, Making> {
+        // A slope takes the centre of mass aside.
         let slope = -self.homes[0][2] * SLOPE.to_radians().tan();
-        let share = RESERVES.into_iter().find_map(|reserve| {
-            let least = LEAST_MARGIN + reserve * slope;
-            let enough = |share: &f64| (0..legs).all(|leg| self.margin(&[leg], *share) >= least);
-            SHARES.into_iter().find(enough)
-        });
-        share.ok_or(Making::Falls)
+        let least = LEAST_MARGIN + SLOPE_SHARE * slope;
+        let enough = |share: &f64| {
+            (0..self.homes.len()).all(|leg| {
+                let margin = self.margin(anatomy, &[leg], *share);
+                margin.is_some_and(|margin| margin >= least)
+            })
+        };
+        let shares = (4..=16).map(|n| 0.05 * f64::from(n));
+        shares.into_iter().find(enough).ok_or(Making::Falls)
     }
 
-    /// Returns the margin with a group in the air.
-    fn margin(&self, group: &[usize], sway: f64) -> f64 {
+    /// Returns the margin with a group in the air. The legs move with the feet when the body leans, and hold the centre of mass back.
+    fn margin(&self, anatomy: &RobotDescription, group: &[usize], sway: f64) -> Option<f64> {
         let middle = middle(&self.homes);
         let share = sway / (self.homes.len() as f64 - 1.0);
         let [x, y] = [0, 1].map(|axis| {
-            let away: f64 = group
+            let away = group
                 .iter()
-                .map(|leg| self.homes[*leg][axis] - middle[axis])
-                .sum();
-            self.centre_of_mass[axis] - share * away
+                .map(|leg| self.homes[*leg][axis] - middle[axis]);
+            share * away.sum::<f64>()
         });
-        margin(&self.standing(group), [x, y])
+        let moved = |home: &Point| [home[0] + x, home[1] + y, home[2]];
+        let leaning = Stance {
+            homes: self.homes.iter().map(moved).collect(),
+            ..*self
+        };
+        let posture = leaning.posture(anatomy)?;
+        let standing = leaning.standing(group);
+        Some(margin(&standing, centre_of_mass(anatomy, &posture)))
     }
 
     /// Checks that the robot can stand while each group is in the air.
-    fn check_balance(&self, groups: &[Vec<usize>], sway: f64) -> Result<(), Making> {
+    fn check_balance(
+        &self,
+        anatomy: &RobotDescription,
+        groups: &[Vec<usize>],
+        sway: f64,
+    ) -> Result<(), Making> {
         for group in groups {
-            let margin = self.margin(group, sway);
+            let margin = self.margin(anatomy, group, sway);
+            let margin = margin.ok_or(Making::OutOfReach)?;
             if margin < LEAST_MARGIN {
                 let names: Vec<String> = group.iter().map(|leg| foot_name(*leg)).collect();
                 return Err(Making::NoBalance {
@@ -428,13 +423,6 @@ impl Stance {
         (first - last) / (self.homes.len().div_ceil(2) as f64 - 1.0)
     }
 
-    /// Returns the largest distance of a foot to the side of the middle, mm.
-    fn widest(&self) -> f64 {
-        let middle = middle(&self.homes);
-        let sides = self.homes.iter().map(|home| (home[0] - middle[0]).abs());
-        sides.fold(0.0, f64::max)
-    }
-
     /// Returns the distance that the robot can sink, mm: to its belly, unless a joint ends before.
     fn lower(&self, anatomy: &RobotDescription) -> f64 {
         let reaches = |way: f64| {
@@ -452,8 +440,8 @@ struct Way<'a> {
     anatomy: &'a RobotDescription,
     stance: &'a Stance,
     groups: &'a [Vec<usize>],
-    /// Largest distance that the body leans to a side, mm.
-    sway: f64,
+    /// Part of a foot's way from the middle that the body of a crawl leans away from it.
+    share: f64,
     lift: f64,
     /// Largest speed of a joint, deg/s.
     limit: f64,
@@ -463,67 +451,117 @@ struct Way<'a> {
 }
 
 impl Way<'_> {
-    /// Returns the time that a foot stands, s.
-    fn stance_time(&self, swing: f64, pause: f64) -> f64 {
-        let count = self.groups.len() as f64;
-        let time = match self.kind {
-            Kind::Crawl => {
-                let short = (pause / self.cycle / 3.0).floor() * self.cycle;
-                (count - 1.0) * (swing + short) + 2.0 * pause - short
-            }
-            _ => count * (swing + pause) - swing,
-        };
-        time / 1000.0
+    /// Returns the time in which every foot swings once at a velocity, s.
+    fn stride(&self, twist: Twist, swing: f64, pause: f64) -> f64 {
+        match self.kind {
+            Kind::Crawl => self.crawl(swing, pause, |crawl| crawl.stride(twist)),
+            _ => self.groups.len() as f64 * (swing + pause) / 1000.0,
+        }
+    }
+
+    /// Returns the share of the reach beyond which the body waits for a foot.
+    fn wait_share(&self) -> f64 {
+        match self.kind {
+            Kind::Crawl => CRAWL_WAIT_SHARE,
+            _ => WAIT_SHARE,
+        }
+    }
+
+    /// Calculates something of a crawl from its swing and the time in which its body leans to the other side, ms.
+    fn crawl<T>(&self, swing: f64, shift: f64, of: impl FnOnce(&Crawl<'_>) -> T) -> T {
+        of(&Crawl {
+            homes: &self.stance.homes,
+            order: &self.groups.concat(),
+            share: self.share,
+            swing: swing / 1000.0,
+            shift: shift / 1000.0,
+        })
     }
 
     /// Returns the largest speed along an axis (0: right, 1: ahead, 2: turn): mm/s, deg/s.
     fn top(&self, axis: usize, swing: f64, pause: f64) -> f64 {
-        let stride = Stride {
-            swing: swing / 1000.0,
-            stance: self.stance_time(swing, pause),
-            lift: self.lift,
-            cycle: self.cycle / 1000.0,
-        };
-        // A foot that landed when the body was slow stands for longer than half of its way behind its place.
-        let reserve = match self.kind {
-            Kind::Tripod | Kind::Trot => 1.0 / REACH_SHARE,
-            Kind::Wave | Kind::Crawl => 1.3 / REACH_SHARE,
-        };
+        let reach = self.reach();
         largest(FASTEST[axis], |speed| {
-            let mut twist = [0.0; 3];
-            twist[axis] = speed;
-            let far = reserve * stride.stance / 2.0;
-            self.holds(twist, far)
-                && self.reaches(twist, far)
-                && fastest_joint(self.anatomy, &self.stance.homes, twist, stride)
-                    .is_some_and(|rate| rate <= self.limit)
+            let twist = along(axis, speed);
+            let stride = Stride {
+                swing: swing / 1000.0,
+                stance: self.stride(twist, swing, pause) - swing / 1000.0,
+                lift: self.lift,
+                cycle: self.cycle / 1000.0,
+            };
+            let far = self.far(stride.stance);
+            let side = reach[1] / reach[0].max(1.0);
+            let fits = match self.kind {
+                Kind::Crawl => self.crawl(swing, pause, |crawl| {
+                    crawl.farthest(twist, side, LOOK_AHEAD) <= self.wait_share() * reach[1]
+                }),
+                _ => self.holds(twist, far) && self.reaches(twist, far),
+            };
+            fits && fastest_joint(self.anatomy, &self.stance.homes, twist, stride)
+                .is_some_and(|rate| rate <= self.limit)
+        })
+    }
+
+    /// Returns the time that a foot is away from its place at most, s, of the time on the floor: one that landed when the body was slow
+    /// stands for longer than half of its way behind its place.
+    fn far(&self, stance: f64) -> f64 {
+        let reserve = match self.kind {
+            Kind::Tripod | Kind::Trot => 1.0,
+            Kind::Wave | Kind::Crawl => 1.3,
+        };
+        reserve / REACH_SHARE * stance / 2.0
+    }
+
+    /// Returns the largest share of the speeds along the axes at which feet reach where all sticks together take them. A crawl waits
+    /// for its feet instead.
+    fn share_of_all(&self, top: Twist, swing: f64, pause: f64) -> f64 {
+        if self.kind == Kind::Crawl {
+            return 1.0;
+        }
+        let far = self.far(self.stride(top, swing, pause) - swing / 1000.0);
+        let ends = [-1.0, 0.0, 1.0];
+        let all = ends.map(|side| ends.map(|turn| [0.0, 1.0].map(|ahead| [side, ahead, turn])));
+        let sticks = all.as_flattened().as_flattened();
+        largest(1.0, |share| {
+            sticks.iter().all(|sticks| {
+                let part = share / size(*sticks).max(1.0);
+                self.reaches([0, 1, 2].map(|axis| part * sticks[axis] * top[axis]), far)
+            })
         })
     }
 
     /// Returns how far feet can be from their places: mm to the side, mm ahead, deg.
     fn reach(&self) -> [f64; 3] {
-        [0, 1, 2].map(|axis| {
+        let reach = [0, 1, 2].map(|axis| {
             let most = if axis == 2 { 45.0 } else { FARTHEST };
-            largest(most, |way| {
-                let mut twist = [0.0; 3];
-                twist[axis] = way;
-                self.reaches(twist, 1.0)
-            })
-        })
+            largest(most, |way| self.reaches(along(axis, way), 1.0))
+        });
+        if self.kind != Kind::Crawl {
+            return reach;
+        }
+        // In a crawl feet reach all of an ellipse. Feet that come near each other leave the body too little to stand on.
+        let [side, ahead, turn] = reach;
+        let ahead = ahead.min(0.5 * self.stance.spacing());
+        let share = largest(1.0, |share| {
+            [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5]
+                .into_iter()
+                .all(|part| {
+                    let (sin, cos) = (std::f64::consts::PI * part).sin_cos();
+                    self.reaches([share * side * cos, share * ahead * sin, 0.0], 1.0)
+                })
+        });
+        [side, ahead, turn].map(|way| share * way)
     }
 
-    /// Returns true if all feet reach where a velocity takes them in a time (s) after and before their places, on the floor and
-    /// lifted, however the body leans.
+    /// Returns true if all feet reach where a velocity takes them in a time (s) after and before their places, on the floor and lifted.
     fn reaches(&self, twist: Twist, seconds: f64) -> bool {
         let mut legs = self.anatomy.legs.iter().zip(&self.stance.homes);
         legs.all(|(limb, home)| {
             [-seconds, seconds].into_iter().all(|seconds| {
                 let [x, y, z] = left_behind(*home, twist, seconds);
-                [-self.sway, self.sway].into_iter().all(|sway| {
-                    [0.0, self.lift]
-                        .into_iter()
-                        .all(|lift| angles(limb, [x + sway, y, z + lift], &limb.initial).is_some())
-                })
+                [0.0, self.lift]
+                    .into_iter()
+                    .all(|lift| angles(limb, [x, y, z + lift], &limb.initial).is_some())
             })
         })
     }

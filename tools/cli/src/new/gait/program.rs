@@ -6,6 +6,7 @@
 use crate::new::fill;
 use crate::new::gait::Kind;
 use crate::new::gait::plan::{Plan, foot_name};
+use crate::new::gait::reach::beside;
 use std::fmt::Write as _;
 use tip_lint::format::format;
 use tip_sim::Robot;
@@ -28,6 +29,7 @@ pub(super) fn text(robot: &Robot, plan: &Plan, figures: &str) -> String {
         ("picture", picture(plan)),
         ("figures", figures.to_owned()),
         ("homes", names("H", legs)),
+        ("places", names("P", legs)),
         ("groups", names("D", count)),
         ("count", count.to_string()),
         ("others", (count - 1).to_string()),
@@ -51,9 +53,12 @@ pub(super) fn text(robot: &Robot, plan: &Plan, figures: &str) -> String {
             "leave",
             choose(count, |group| match plan.kind {
                 Kind::Crawl => {
-                    let leg = plan.groups[group - 1].first().map_or(1, |leg| leg + 1);
-                    let [one, other] = plan.beside(group - 1).map(|group| group + 1);
-                    format!("FROM = D{group} ; HOME = H{leg} ; SWAY_TO = D{one} + D{other}")
+                    let leg = plan.groups[group - 1].first().copied().unwrap_or(0);
+                    let [one, other] = beside(&plan.feet, leg).map(|leg| leg + 1);
+                    let leg = leg + 1;
+                    format!(
+                        "FROM = D{group} ; HOME = H{leg} ; SWAY_TO = P{one} - H{one} ; WAY = P{other} - H{other}"
+                    )
                 }
                 _ => format!("FROM = D{group}"),
             }),
@@ -142,7 +147,14 @@ fn move_feet(plan: &Plan) -> String {
         );
         for leg in legs {
             let leg = leg + 1;
-            let _ = writeln!(text, "P = ROT_Z H{leg} TURN ; P += MOVE ; PTP F{leg} P");
+            let place = match plan.kind {
+                Kind::Crawl => format!("P{leg}"),
+                _ => "P".to_owned(),
+            };
+            let _ = writeln!(
+                text,
+                "{place} = ROT_Z H{leg} TURN ; {place} += MOVE ; PTP F{leg} {place}"
+            );
         }
     }
     text

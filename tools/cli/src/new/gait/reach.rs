@@ -192,6 +192,29 @@ pub(super) fn centre_of_mass(anatomy: &RobotDescription, angles: &[Vec<f64>]) ->
     [0, 1].map(|axis| all.iter().map(|(own, at)| own * at[axis]).sum::<f64>() / mass)
 }
 
+/// Returns the middle of feet, mm.
+pub(super) fn middle(feet: &[Point]) -> [f64; 2] {
+    let count = feet.len() as f64;
+    [0, 1].map(|axis| feet.iter().map(|foot| foot[axis]).sum::<f64>() / count)
+}
+
+/// Returns the legs in their order around the robot.
+pub(super) fn around(feet: &[Point]) -> Vec<usize> {
+    let [x, y] = middle(feet);
+    let angle = |leg: usize| (feet[leg][1] - y).atan2(feet[leg][0] - x);
+    let mut order: Vec<usize> = (0..feet.len()).collect();
+    order.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
+    order
+}
+
+/// Returns the two legs beside one, around the robot.
+pub(super) fn beside(feet: &[Point], leg: usize) -> [usize; 2] {
+    let order = around(feet);
+    let count = order.len();
+    let place = order.iter().position(|other| *other == leg).unwrap_or(0);
+    [count - 1, 1].map(|step| order[(place + step) % count])
+}
+
 pub(super) fn size(point: Point) -> f64 {
     dot(point, point).sqrt()
 }
