@@ -144,7 +144,7 @@ static ROWS: &[Row] = &[
     Row::of::<drives::DrivesArguments>(
         Group::Robots,
         "drives",
-        "Find, name, zero, move and watch the servos of a real robot",
+        "Find, zero, move, teach and watch the servos of a real robot",
     ),
     Row::of::<drives::realtime::Jitter>(
         Group::Robots,

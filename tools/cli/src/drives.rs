@@ -1,19 +1,21 @@
-//! `tip drives`: finds, names, zeroes, moves and watches the servos of a real robot.
+//! `tip drives`: finds, names, zeroes, moves, teaches and watches the servos of a real robot.
 
 mod port;
 pub(crate) mod realtime;
+mod record;
 pub(crate) mod robot;
 mod scan;
 mod simulated;
 mod zero;
 
 use crate::Action;
-use crate::choices::LangName;
+use crate::choices::{LangName, OutputOptions};
 use crate::error::{Error, is_closed};
 use crate::input;
 use crate::message::Driving;
 use crate::{Status, choices, interrupt, output, report};
 use clap::{Args, Subcommand};
+use record::Record;
 use robot::{Connection, Setup};
 use scan::{Id, Scan};
 use simulated::FaultInjection;
@@ -22,6 +24,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tip_drives::guard::{Request, Step};
+use tipc::description::Description;
 use tipc::message::Lang;
 use tipc::message::list::List;
 use zero::Zero;
@@ -44,6 +47,8 @@ enum DrivesVerb {
     Zero(Zero),
     /// Turn one joint by keys
     Jog(Jog),
+    /// Teach a motion by hand, and write it as a program
+    Record(Record),
     /// Show angle, load, voltage and temperature of each joint
     Monitor(Monitor),
     /// Simulate the servos of a robot on a pseudo-terminal
@@ -86,10 +91,16 @@ impl RobotArguments {
         choices::lang(self.lang)
     }
 
+    fn output_options(&self) -> OutputOptions {
+        OutputOptions::of(LangName::of(self.lang()))
+    }
+
+    fn description(&self) -> Result<Description, Error> {
+        input::describe(&self.file).map_err(Error::refused(self.output_options()))
+    }
+
     fn setup(&self) -> Result<Setup, Error> {
-        let options = choices::OutputOptions::of(LangName::of(self.lang()));
-        let description = input::describe(&self.file).map_err(Error::refused(options))?;
-        Setup::new(&self.file, &description, self.lang())
+        Setup::new(&self.file, &self.description()?, self.lang())
     }
 
     /// Connects to a robot that is to move.
@@ -174,6 +185,7 @@ impl Action for DrivesArguments {
             DrivesVerb::Id(arguments) => scan::id(arguments),
             DrivesVerb::Zero(arguments) => zero::zero(arguments),
             DrivesVerb::Jog(arguments) => jog(arguments),
+            DrivesVerb::Record(arguments) => record::record(arguments),
             DrivesVerb::Monitor(arguments) => monitor(arguments),
             DrivesVerb::Simulate(arguments) => simulate(arguments),
         }

@@ -110,6 +110,9 @@ tipc::message_table! {
     FallsAreElsewhere
         "--deny falls and --deny collisions need a built-in plant: falls and collisions of a process's robot are not counted",
         "--deny falls と --deny collisions を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒や干渉は数えられません";
+    RecordError { text: String }
+        "`{text}` is no error that a motion can have: give 0.2 to 45 deg",
+        "`{text}` は誤差として使えません。0.2から45度を指定してください";
     NotAnArgument { reason: Message }
         "{reason}",
         "{reason}";
@@ -1120,6 +1123,51 @@ tipc::message_table! {
     JogHow { joint: String }
         "{joint}: + and - turn it by 1 deg, q ends, RETURN is the emergency stop",
         "{joint}: +と-で1度ずつ動かし、qで終わります。RETURNは非常停止です";
+    RecordFree
+        "hold the robot: its joints are free. RETURN begins",
+        "ロボットを支えてください。関節は自由に動きます。RETURNで始めます";
+    RecordHow
+        "SPACE adds the pose, m its mirror image; d deletes the last pose; q, ESC and Ctrl-C end and write",
+        "SPACEで姿勢を加え、mで左右を反転した姿勢を加え、dで最後の姿勢を消します。q、ESC、Ctrl-Cで終わり、書き込みます";
+    RecordMotionHow
+        "SPACE begins, another SPACE ends and writes, as q, ESC and Ctrl-C do",
+        "SPACEで始め、もう一度SPACEを押すと終わり、書き込みます(q、ESC、Ctrl-Cでも同じ)";
+    RecordBegun
+        "the motion is being recorded",
+        "動きを記録しています";
+    PoseAdded { number: usize }
+        "pose {number} is added",
+        "姿勢{number}を加えました";
+    PoseDeleted { number: usize }
+        "pose {number} is deleted",
+        "姿勢{number}を消しました";
+    NoPose
+        "there is no pose to delete",
+        "消す姿勢がありません";
+    NoMirror { leg: String }
+        "no mirror image: leg {leg} has no leg on the other side whose joints mirror its own",
+        "反転できません: 脚{leg}と左右対称な関節を持つ脚がありません";
+    ImageOutside { joint: String, angle: String, min: f64, max: f64 }
+        "the mirror image is not added: {joint} would be at {angle} deg, outside of {min} to {max}",
+        "反転した姿勢は加えません: {joint}が{angle}度になり、範囲{min}から{max}の外です";
+    RecordNothing { file: Text }
+        "nothing was recorded; {file} is not written",
+        "何も記録されていません。{file}は書き込みません";
+    RecordTaken { file: Text }
+        "{file} exists: --force replaces it, -o takes another name",
+        "{file} はすでにあります。置き換えるには --force を付けるか、-oで別の名前を指定してください";
+    RecordFast { joint: String, speed: String, most: f64 }
+        "{joint} was turned at up to {speed} deg/s, and its drive turns at {most} at most: it will lag behind there",
+        "{joint}は最大{speed}度/sで動かされましたが、駆動の上限は{most}度/sです。そこでは遅れます";
+    RecordTried
+        "in simulation this happens:",
+        "シミュレーションでは次のことが起こります:";
+    RecordEndless { time: String }
+        "the program has not ended after {time} s",
+        "{time} sたってもプログラムが終わりません";
+    Recorded { file: Text, poses: usize }
+        "{file} has the motion now, with {poses} set points; it was tried in simulation",
+        "動きを{file}に書き込みました(目標点{poses}個、シミュレーション済み)";
     Simulates { servos: usize, port: Text }
         "{servos} simulated servos on {port}; Ctrl-C ends",
         "{port}に模擬サーボが{servos}台あります。Ctrl-Cで終わります";

@@ -5,6 +5,7 @@ mod emergency;
 mod files;
 mod refusal;
 mod summary;
+pub(super) mod trial;
 
 use super::arguments::RunArguments;
 use super::drives::robot::{Connection, Setup};

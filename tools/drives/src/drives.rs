@@ -376,6 +376,11 @@ impl<P: Port> Drives<P> {
         self.failure
     }
 
+    /// Forgets the problem that was found, so that the next one is told: nothing has to stop a robot that only a hand moves.
+    pub const fn clear_failure(&mut self) {
+        self.failure = None;
+    }
+
     /// Returns the family of the servos; `None` if there are no joints.
     pub fn family(&self) -> Option<&'static dyn Family> {
         self.joints.first().map(|state| state.joint.model.family)

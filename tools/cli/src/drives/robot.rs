@@ -229,6 +229,14 @@ impl Connection {
         self.robot().host_mut().operator.key()
     }
 
+    /// Reads the keys of a robot without torque from now on, and returns what the operator asks for.
+    pub(super) fn request(&self) -> Option<Request> {
+        let mut robot = self.robot();
+        let host = robot.host_mut();
+        host.operator.take_keys();
+        host.request()
+    }
+
     /// Returns the sampling time, ms.
     pub(crate) fn period(&self) -> f64 {
         self.setup.period

@@ -9,6 +9,7 @@ use clap::Args;
 use std::fmt::Write as _;
 use tip_drives::bus::BusError;
 use tip_drives::described;
+use tip_drives::description::Joint;
 use tip_drives::family::{Query, Reading};
 use tip_drives::model::Model;
 use tip_runtime::model::Range;
@@ -123,7 +124,6 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
 
 /// Switches the torque off, after a key if a servo has any; returns false if the operator does not want that.
 fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
-    let joints = 0..connection.setup.joints.len();
     let stiff = connection.robot().drives_mut().stiff();
     if !stiff.is_empty() {
         let joints = List(connection.setup.names(&stiff));
@@ -132,8 +132,14 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
             return Ok(false);
         }
     }
+    relax(connection, lang)?;
+    Ok(true)
+}
+
+/// Switches the torque of every servo off, and has each confirm it.
+pub(super) fn relax(connection: &Connection, lang: Lang) -> Result<(), Error> {
     let mut robot = connection.robot();
-    for place in joints {
+    for place in 0..connection.setup.joints.len() {
         let drives = robot.drives_mut();
         let mut tries = (0..READINGS).map(|_| drives.relax(place));
         if !tries.any(|confirmed| confirmed == Ok(true)) {
@@ -141,7 +147,7 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
             return Err(Error::failed(Driving::PerhapsStiff { joints }, lang));
         }
     }
-    Ok(true)
+    Ok(())
 }
 
 /// The result of a joint.
@@ -235,49 +241,75 @@ impl Turned {
     }
 }
 
-/// Asks the servo of a joint, and nobody else: its answer is younger than the call.
-fn read(connection: &Connection, place: usize, turn: u32) -> Result<Option<Reading>, BusError> {
-    let joint = connection.setup.joints[place];
-    let query = Query {
+/// Asks the servos of some joints, and nobody else: their answers are younger than the call.
+fn read(
+    connection: &Connection,
+    places: &[usize],
+    turn: u32,
+) -> Result<Vec<Option<Reading>>, BusError> {
+    let joints = places.iter().map(|place| connection.setup.joints[*place]);
+    let query = |joint: Joint| Query {
         id: joint.id,
         turn,
         is_late: false,
     };
-    let mut found = None;
+    let queries: Vec<Query> = joints.map(query).collect();
+    let mut found = vec![None; places.len()];
     let mut robot = connection.robot();
-    let bus = robot.drives_mut().bus_mut();
-    let family = joint.model.family;
-    family.read(bus, &[query], u64::MAX, false, &mut |_, reading| {
-        found = Some(reading).filter(|it| it.is_plausible);
-    })?;
+    let drives = robot.drives_mut();
+    if let Some(family) = drives.family() {
+        let bus = drives.bus_mut();
+        let read = family.read(bus, &queries, u64::MAX, false, &mut |query, reading| {
+            found[query] = Some(reading).filter(|it| it.is_plausible);
+        });
+        match read {
+            Ok(_) | Err(BusError::NoAnswer) => {}
+            Err(error) => return Err(error),
+        }
+    }
     Ok(found)
+}
+
+/// Measures the positions of joints that rest, all at one time; `None`, with a message, if they do not.
+pub(super) fn positions(
+    connection: &Connection,
+    places: &[usize],
+    lang: Lang,
+) -> Result<Option<Vec<i32>>, Error> {
+    let mut last: Vec<Option<i32>> = vec![None; places.len()];
+    let mut moving = places.to_vec();
+    for turn in 0..READINGS {
+        let Ok(readings) = read(connection, places, turn) else {
+            return Err(Error::failed(Driving::PortGone, lang));
+        };
+        moving.clear();
+        for ((place, reading), last) in places.iter().zip(readings).zip(&mut last) {
+            let now = reading.map(|reading| reading.position);
+            let degree = connection.setup.joints[*place].model.turn / 360.0;
+            let is_equal =
+                |(last, now): (i32, i32)| f64::from((now - last).abs()) <= STILL * degree;
+            if !last.zip(now).is_some_and(is_equal) {
+                moving.push(*place);
+            }
+            *last = now.or(*last);
+        }
+        if moving.is_empty() {
+            return Ok(last.into_iter().collect());
+        }
+        if interrupt::is_requested() {
+            return Ok(None);
+        }
+        connection.robot().wait();
+    }
+    let joints = List(connection.setup.names(&moving));
+    report::say(Driving::NotStill { joints }, lang);
+    Ok(None)
 }
 
 /// Measures the position of a joint that rests; `None`, with a message, if it does not.
 fn position(connection: &Connection, place: usize, lang: Lang) -> Result<Option<i32>, Error> {
-    let model = connection.setup.joints[place].model;
-    let mut last: Option<i32> = None;
-    for turn in 0..READINGS {
-        let reading = match read(connection, place, turn) {
-            Ok(reading) => reading,
-            Err(BusError::NoAnswer) => None,
-            Err(_) => return Err(Error::failed(Driving::PortGone, lang)),
-        };
-        if let Some(now) = reading.map(|reading| reading.position) {
-            let is_equal = |last: i32| {
-                let moved = f64::from((now - last).abs());
-                moved * 360.0 / model.turn <= STILL
-            };
-            if last.is_some_and(is_equal) {
-                return Ok(Some(now));
-            }
-            last = Some(now);
-        }
-        connection.robot().wait();
-    }
-    let joints = List(connection.setup.names(&[place]));
-    report::say(Driving::NotStill { joints }, lang);
-    Ok(None)
+    let found = positions(connection, &[place], lang)?;
+    Ok(found.and_then(|found| found.first().copied()))
 }
 
 /// Writes what was found into the description, or prints it.

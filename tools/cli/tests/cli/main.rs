@@ -55,6 +55,8 @@ mod support;
 #[cfg(target_os = "linux")]
 mod sweep;
 #[cfg(target_os = "linux")]
+mod teaching;
+#[cfg(target_os = "linux")]
 mod torque;
 mod usage;
 mod verify;

@@ -199,9 +199,14 @@ fn statuses(line: &str) -> &'static [i32] {
         // Its client has gone.
         _ if line == "tip lsp" => &[0, 1],
         // There is no such port, or no keyboard, or nobody turns the joints.
-        _ if ["/dev/tty", "tip drives jog", "tip drives zero"]
-            .iter()
-            .any(|it| line.contains(it)) =>
+        _ if [
+            "/dev/tty",
+            "tip drives jog",
+            "tip drives record",
+            "tip drives zero",
+        ]
+        .iter()
+        .any(|it| line.contains(it)) =>
         {
             &[1]
         }
