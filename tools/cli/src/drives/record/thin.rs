@@ -1,12 +1,12 @@
 //! A motion that was sampled in each control cycle, as few set points: the algorithm of Ramer, Douglas and Peucker over all joints at
 //! once.
 
-/// The joints at a time.
+/// A sample of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sample {
-    /// ms
+    /// Time, ms.
     pub(super) time: f64,
-    /// deg
+    /// Joint angles, deg.
     pub(super) angles: Vec<f64>,
 }
 
