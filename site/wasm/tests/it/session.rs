@@ -49,7 +49,7 @@ fn a_session_plays_at_once_and_takes_what_its_page_does() {
     assert_eq!(answer["ok"], true);
     playground.advance(60.0, || true);
     let said = last(&updates(&mut playground), "more");
-    assert_eq!(said["messages"][0][1], "key", "{said}");
+    assert_eq!(said["log"]["message"][1][0], "key", "{said}");
     let answer = asked(&mut playground, &json!({ "do": "step", "cycles": -1 }));
     assert_eq!(answer["ok"], true);
     let back = updates(&mut playground);
