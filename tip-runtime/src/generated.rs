@@ -42,7 +42,7 @@ const NOTHING: &Command<'static> = &Command {
 };
 
 impl<P: State> Step<P> {
-    /// Creates a row that asks for a command of constants and goes on when it is done.
+    /// Creates a row that executes a command with constant arguments until it is done, and then continues at `next`.
     pub const fn ask(command: &'static Command<'static>, next: u32) -> Self {
         Step {
             run: ask,

@@ -437,7 +437,7 @@ macro_rules! shapes {
     };
 }
 
-/// What opens a branch of an IF.
+/// Shapes of the statements that open a branch of an IF.
 const BRANCHES: &[Shape] = &[Shape::If, Shape::ElseIf, Shape::Else];
 
 shapes! {

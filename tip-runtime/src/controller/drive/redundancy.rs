@@ -461,7 +461,7 @@ struct Trial<const J: usize> {
 /// Result of one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum TrialResult<const J: usize> {
-    /// The trial goes on.
+    /// The trial has further pieces.
     SoFar(Trial<J>),
     /// The postures lead to the target.
     Leads(PosturePath<J>),

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tip_view::live::{ClientRequest, Driver, Driving, Rules, Stage};
 
-/// What pages and the control cycle share. Nobody holds it for longer than a few instructions.
+/// The state that pages and the control cycle share. Its lock is held for a few instructions only.
 #[derive(Debug)]
 pub(super) struct Controls {
     begin: Instant,

@@ -52,7 +52,7 @@ pub(crate) fn crate_for(robot: &str) -> Folder {
         .file("it/motions/walk.prg", program)
 }
 
-/// The same on servos of this model. LX servos have 115200 bit/s, at which a reading of 18 takes 35 ms.
+/// Returns the folder of [`crate_for`] with servos of another model. LX servos have 115200 bit/s, at which a reading of 18 takes 35 ms.
 pub(crate) fn crate_on(robot: &str, servo: &str) -> Folder {
     let folder = crate_for(robot);
     let made = folder.read("it/robot.toml");

@@ -1,5 +1,5 @@
-//! What stops a robot on servos, beside its operator and its program: each fault happens here, and the table of docs/drives.md shows
-//! what the command said.
+//! Faults that stop a robot on servos, beside its operator and its program. Each fault is injected here, and the table of
+//! docs/drives.md shows the message of the command.
 
 use crate::drives::{crate_for, crate_on};
 use crate::endings::{page, replace_part};

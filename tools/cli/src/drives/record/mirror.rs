@@ -78,7 +78,7 @@ mod tests {
     use tip_runtime::random::Random;
     use tip_sim::Robot;
 
-    /// Where the feet are in the image of a pose, mirrored feet of the pose itself are: the kinematics of the robot says so.
+    /// Compares the feet of a mirrored pose, by the kinematics of the robot, with the mirrored feet of the pose.
     #[test]
     fn feet_of_the_image_are_images_of_feet() {
         for name in ["phantomx", "spotmicro", "a1", "titan8"] {

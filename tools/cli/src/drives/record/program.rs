@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use tip_runtime::command::Target;
 use tip_runtime::model::Range;
 
-/// What the program has to know of its robot.
+/// Limits of the robot that the program moves.
 #[derive(Clone, Debug)]
 pub(super) struct Limits {
     /// Joints of each leg.
@@ -221,8 +221,9 @@ leg = [{ base = [80, 0, 0] }, { base = [-80, 0, 0] }]
         Sample { time, angles }
     }
 
-    /// Of 50 deg in 2 s: v with 50 / v + v / 360 = 2 is 26.0 deg/s, and the lowest is 30: 1.75 s. Of 60 deg in 1 s: 76.1 deg/s. Of
-    /// 90 deg in 0.5 s: nothing is fast enough, and at 180 deg/s it takes 0.5 + 0.5 s.
+    /// Derives the speeds by hand. For 50 deg in 2 s, 50 / v + v / 360 = 2 gives 26.0 deg/s; the lowest speed is 30 deg/s, with which
+    /// the motion takes 1.75 s. For 60 deg in 1 s it gives 76.1 deg/s. For 90 deg in 0.5 s no speed is high enough; at 180 deg/s the
+    /// motion takes 1 s.
     #[test]
     fn poses_have_names_and_the_times_of_the_lesson() {
         let poses = [

@@ -93,7 +93,7 @@ fn typed(keyboard: &mut Option<Terminal<Sink>>, cycle: u64) -> Option<u8> {
     key
 }
 
-/// Who starts the robot.
+/// The place from which a robot is started.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Starter {
     Page,
