@@ -158,7 +158,7 @@ pub(crate) struct Monitor {
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip drives simulate robot.toml                                 prints the name of a port
-  tip drives simulate robot.toml --mishaps faults=0.01,unplug=7@20
+  tip drives simulate robot.toml --inject faults=0.01,unplug=7@20
 
 Exit status: 130 after Ctrl-C, 1 if it cannot start.")]
 pub(crate) struct Simulate {
@@ -171,7 +171,7 @@ pub(crate) struct Simulate {
     /// faults, corrupt, drop, duplicate, delay or truncate=PROBABILITY of an answer;
     /// unplug, reset, overheat, block or sag=ID@SECONDS
     #[arg(long, value_name = "LIST", default_value = "")]
-    mishaps: String,
+    inject: String,
 
     /// The language of messages; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
@@ -343,10 +343,10 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
         lang: arguments.lang,
     };
     let setup = robot.setup()?;
-    let mishaps = FaultInjection::new(&arguments.mishaps, &setup.ids());
-    let mishaps = mishaps.map_err(|wrong| Error::usage(wrong, lang))?;
-    let bus = setup.simulated(&mishaps);
-    simulated::serve(bus, mishaps, lang, |port| {
+    let injection = FaultInjection::new(&arguments.inject, &setup.ids());
+    let injection = injection.map_err(|wrong| Error::usage(wrong, lang))?;
+    let bus = setup.simulated(&injection);
+    simulated::serve(bus, injection, lang, |port| {
         let servos = setup.joints.len();
         let port = port.into();
         output::say(Driving::Simulates { servos, port }, lang)

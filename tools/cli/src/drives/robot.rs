@@ -57,8 +57,8 @@ impl Setup {
     }
 
     /// Returns simulated servos a little beside the initial posture.
-    pub(crate) fn simulated(&self, mishaps: &FaultInjection) -> SimulatedBus {
-        self.0.simulated().with_faults(mishaps.faults, 1)
+    pub(crate) fn simulated(&self, injection: &FaultInjection) -> SimulatedBus {
+        self.0.simulated().with_faults(injection.faults, 1)
     }
 
     /// Opens the port of the command line, or that of the file.
@@ -79,14 +79,14 @@ impl Setup {
             Some(list) => list.strip_prefix(':'),
             None => None,
         };
-        let (opened, mishaps) = match simulated {
-            Some(mishaps) => {
-                let mut mishaps = FaultInjection::new(mishaps, &self.ids()).map_err(fail)?;
-                let mut bus = self.simulated(&mishaps);
-                mishaps.happen(&mut bus, 0);
+        let (opened, injection) = match simulated {
+            Some(injection) => {
+                let mut injection = FaultInjection::new(injection, &self.ids()).map_err(fail)?;
+                let mut bus = self.simulated(&injection);
+                injection.inject(&mut bus, 0);
                 (
                     AnyPort::Memory(Box::new(MemoryPort::new(bus))),
-                    Some(mishaps),
+                    Some(injection),
                 )
             }
             None => (open_serial(&port, self.bus.baud, lang)?, None),
@@ -94,10 +94,10 @@ impl Setup {
         let drives = self
             .drives(opened)
             .map_err(|error| Error::Failed(error.to_string()))?;
-        let (is_simulated, period) = (mishaps.is_some(), self.period);
+        let (is_simulated, period) = (injection.is_some(), self.period);
         let host = Attended {
             operator: Operator::of_signals(interrupt::signal()),
-            mishaps,
+            injection,
             stop: Arc::default(),
             period,
         };
@@ -157,7 +157,7 @@ fn lines(left: Result<(), Unsettled>, lang: Lang) -> String {
 pub(crate) struct Attended {
     operator: Operator,
     /// Faults to inject; `None` on a real bus.
-    mishaps: Option<FaultInjection>,
+    injection: Option<FaultInjection>,
     /// True when somebody elsewhere has asked for the emergency stop.
     pub(crate) stop: Arc<AtomicBool>,
     /// The longest cycle of approaching and of leaving, ms.
@@ -182,8 +182,8 @@ const SAFE_TIMEOUT: f64 = 10.0;
 impl Host<AnyPort> for Attended {
     fn wait(&mut self, port: &mut AnyPort, until: u64) {
         self.operator.wait(port, until);
-        if let (AnyPort::Memory(port), Some(mishaps)) = (port, &mut self.mishaps) {
-            mishaps.happen(&mut port.bus, until);
+        if let (AnyPort::Memory(port), Some(injection)) = (port, &mut self.injection) {
+            injection.inject(&mut port.bus, until);
         }
     }
 

@@ -6,7 +6,7 @@ use crate::message::Driving;
 use tip_drives::simulated::{Faults, SimulatedBus};
 use tipc::message::Lang;
 
-type Mishap = fn(&mut SimulatedBus, u8);
+type Fault = fn(&mut SimulatedBus, u8);
 
 /// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`, or `corrupt=0.01`.
 #[derive(Clone, Debug, Default)]
@@ -14,7 +14,7 @@ pub(crate) struct FaultInjection {
     /// Probabilities of what happens to an answer.
     pub(super) faults: Faults,
     /// Events of servos: time, s, in any order; event; identity.
-    events: Vec<(f64, Mishap, u8)>,
+    events: Vec<(f64, Fault, u8)>,
 }
 
 impl FaultInjection {
@@ -26,13 +26,13 @@ impl FaultInjection {
         let wrong = || Driving::NotSimulated {
             text: text.to_owned(),
         };
-        let mut mishaps = FaultInjection::default();
+        let mut injection = FaultInjection::default();
         if text.is_empty() {
-            return Ok(mishaps);
+            return Ok(injection);
         }
         for part in text.split(',') {
             let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-            let faults = &mut mishaps.faults;
+            let faults = &mut injection.faults;
             let probability = match name {
                 "corrupt" => Some(&mut faults.corrupt),
                 "drop" => Some(&mut faults.drop),
@@ -51,7 +51,7 @@ impl FaultInjection {
                 }
                 continue;
             }
-            let mishap: Mishap = match name {
+            let fault: Fault = match name {
                 "unplug" => SimulatedBus::unplug,
                 "reset" => SimulatedBus::reset,
                 "overheat" => SimulatedBus::overheat,
@@ -70,17 +70,17 @@ impl FaultInjection {
                     id: id.into(),
                 });
             }
-            mishaps.events.push((time, mishap, id));
+            injection.events.push((time, fault, id));
         }
-        Ok(mishaps)
+        Ok(injection)
     }
 
-    /// Lets happen what is due at a time, µs.
-    pub(crate) fn happen(&mut self, bus: &mut SimulatedBus, now: u64) {
-        self.events.retain(|(time, mishap, id)| {
+    /// Injects the faults whose time has come, µs.
+    pub(crate) fn inject(&mut self, bus: &mut SimulatedBus, now: u64) {
+        self.events.retain(|(time, fault, id)| {
             let is_due = *time * 1e6 <= now as f64;
             if is_due {
-                mishap(bus, *id);
+                fault(bus, *id);
             }
             !is_due
         });
@@ -91,7 +91,7 @@ impl FaultInjection {
 #[cfg(unix)]
 pub(super) fn serve(
     mut bus: SimulatedBus,
-    mut mishaps: FaultInjection,
+    mut injection: FaultInjection,
     _: Lang,
     announce: impl FnOnce(String) -> Result<(), Error>,
 ) -> Result<Status, Error> {
@@ -113,7 +113,7 @@ pub(super) fn serve(
     while !interrupt::is_requested() {
         let now = start.elapsed().as_micros() as u64;
         bus.advance(now);
-        mishaps.happen(&mut bus, now);
+        injection.inject(&mut bus, now);
         let due = bus.take_bytes(now, 4096);
         let mut left = &due[..];
         while !left.is_empty() {

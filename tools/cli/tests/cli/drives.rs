@@ -264,7 +264,7 @@ fn each_fault_has_its_outcome_on(robot: &str) {
         "phantomx" => "J31 (servo 7) needs 0.98 of its torque for too long",
         _ => "J31 (servo 7) needs 1.00 of its torque for too long",
     };
-    for (mishap, status, reason) in [
+    for (fault, status, reason) in [
         ("", 0, "answers 0 of "),
         ("corrupt=0.01", 0, " missing, "),
         ("drop=0.01", 0, " missing, "),
@@ -293,7 +293,7 @@ fn each_fault_has_its_outcome_on(robot: &str) {
         ("faults=2", 1, "`faults=2` is not a list of faults"),
         ("fire=7@3", 1, "`fire=7@3` is not a list of faults"),
     ] {
-        let port = format!("simulated:{mishap}");
+        let port = format!("simulated:{fault}");
         let run = [
             "run",
             "it/motions/walk.prg",
@@ -307,7 +307,7 @@ fn each_fault_has_its_outcome_on(robot: &str) {
         let outcome = folder.tip(&run).expect(status);
         assert!(
             outcome.err.contains(reason),
-            "{robot} {mishap}: {}",
+            "{robot} {fault}: {}",
             outcome.err
         );
         // The report of the emergency stop names the servo too.
@@ -315,7 +315,7 @@ fn each_fault_has_its_outcome_on(robot: &str) {
         assert_eq!(
             outcome.err.contains(named),
             status == 3,
-            "{robot} {mishap}: {}",
+            "{robot} {fault}: {}",
             outcome.err
         );
     }
@@ -383,7 +383,7 @@ fn a_sampling_time_that_the_bus_cannot_carry_is_refused_with_a_way_out() {
 }
 
 #[test]
-fn equal_mishaps_give_equal_traces() {
+fn equal_faults_give_equal_traces() {
     let folder = crate_for("spotmicro");
     let run = |out: &str| {
         let port = "simulated:faults=0.02";

@@ -217,7 +217,7 @@ const FAULTS: &[Fault] = &[
 ];
 
 /// Walks on simulated servos, with a line for `[bus]`.
-fn walks(robot: &str, servo: &str, line: &str, mishap: &str) -> Outcome {
+fn walks(robot: &str, servo: &str, line: &str, fault: &str) -> Outcome {
     let folder = match servo {
         "LX-16A" => crate_on(robot, servo),
         _ => crate_for(robot),
@@ -225,7 +225,7 @@ fn walks(robot: &str, servo: &str, line: &str, mishap: &str) -> Outcome {
     let own = folder.read("it/robot.toml").replace("STS3215", servo);
     let own = own.replace("[bus]\n", &format!("[bus]\n{line}\n"));
     let folder = folder.file("it/robot.toml", own);
-    let port = format!("simulated:{mishap}");
+    let port = format!("simulated:{fault}");
     let run = [
         "run",
         "it/motions/walk.prg",

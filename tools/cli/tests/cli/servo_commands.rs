@@ -533,7 +533,7 @@ fn a_scan_lists_servos_of_every_family() {
 
 #[test]
 fn a_fault_that_can_never_happen_is_refused() {
-    let folder = Folder::new("mishaps")
+    let folder = Folder::new("injected")
         .file("robot.toml", leg("hold", "hold", ""))
         .program("p.prg", WAITS);
     for (list, reason) in [
@@ -567,7 +567,7 @@ fn a_fault_that_can_never_happen_is_refused() {
         ];
         let err = folder.tip(&run).expect(1).err;
         assert!(err.contains(reason), "{list}: {err}");
-        let simulate = ["drives", "simulate", "robot.toml", "--mishaps", list];
+        let simulate = ["drives", "simulate", "robot.toml", "--inject", list];
         let err = folder.tip(&simulate).expect(2).err;
         assert!(err.contains(reason), "{list}: {err}");
     }
