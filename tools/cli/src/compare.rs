@@ -5,6 +5,7 @@ use crate::choices::Format;
 use crate::error::Error;
 use crate::message::{Comparing, Using};
 use crate::record::Reading;
+use crate::report::fixed;
 use crate::run::SummaryFormat;
 use crate::{Action, Status, output, report};
 use clap::Args;
@@ -235,15 +236,6 @@ fn decimals(name: &str) -> usize {
     }
 }
 
-/// Returns a number without −0.
-fn number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.trim_start_matches(['-', '0', '.']).is_empty() {
-        true => text.trim_start_matches('-').to_owned(),
-        false => text,
-    }
-}
-
 /// Returns the table for people.
 fn table(runs: &[Recording; 2], rows: &[Row], lang: Lang) -> String {
     let [one, other] = runs
@@ -255,12 +247,12 @@ fn table(runs: &[Recording; 2], rows: &[Row], lang: Lang) -> String {
         let decimals = decimals(row.name);
         let shown = |value: Option<f64>| {
             value.map_or("-".to_owned(), |value| {
-                format!("{} {}", number(value, decimals), row.unit)
+                format!("{} {}", fixed(value, decimals), row.unit)
                     .trim_end()
                     .to_owned()
             })
         };
-        let change = row.difference.map(|change| number(change, decimals));
+        let change = row.difference.map(|change| fixed(change, decimals));
         let is_same = change
             .as_ref()
             .is_none_or(|text| text.trim_matches(['0', '.']).is_empty());
