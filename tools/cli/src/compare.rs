@@ -10,7 +10,6 @@ use crate::run::SummaryFormat;
 use crate::{Action, Status, output, report};
 use clap::Args;
 use serde::Serialize;
-use similar::TextDiff;
 use std::path::PathBuf;
 use tip_runtime::printable::Printable;
 use tip_sim::Summary;
@@ -113,7 +112,7 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
     }
     output::print(match arguments.format {
         SummaryFormat::Text => {
-            let diff = program_diff(&runs);
+            let diff = runs[0].program_diff(&runs[1]);
             let gap = if diff.is_empty() { "" } else { "\n" };
             table(&runs, &rows, lang) + gap + &Printable::lines(diff).to_string()
         }
@@ -131,16 +130,6 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
         status = Status::Fell;
     }
     Ok(status)
-}
-
-/// Returns the unified diff of the two programs, without context; empty if they are equal.
-fn program_diff(runs: &[Recording; 2]) -> String {
-    let [one, other] = runs.each_ref().map(|run| &run.script);
-    let diff = TextDiff::from_lines(&*one.text, &*other.text);
-    let mut diff = diff.unified_diff();
-    let names = [one, other].map(|script| Printable::line(&script.name).to_string());
-    let [from, to] = &names;
-    diff.context_radius(0).header(from, to).to_string()
 }
 
 /// The direction in which a figure is better.
@@ -332,7 +321,7 @@ fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
     let report = Report {
         runs: ended.collect(),
         figures: rows,
-        diff: program_diff(runs),
+        diff: runs[0].program_diff(&runs[1]),
     };
     // No value of it can fail to be written.
     serde_json::to_string(&report).unwrap_or_default() + "\n"

@@ -12,13 +12,16 @@ const NOTHING = { cycles: [], values: [] };
 const START = [0, 0, 20];
 
 export class Recording {
-  /** Reads the recording of a run that is over: its updates, one a line, deflated, in base64. */
+  /**
+   * Reads the recording of a run that is over: its updates, one a line, deflated, in base64. A last line is the diff from the program
+   * of another run to that of this one.
+   */
   static async of(base64) {
     const updates = new TextDecoder().decode(await inflated(bytesOf(base64))).split('\n');
-    const [run, more, { outcome, summary }] = updates.map((update) => JSON.parse(update));
+    const [run, more, { outcome, summary }, diff] = updates.map((update) => JSON.parse(update));
     const recording = new Recording(run);
     recording.take(more);
-    return Object.assign(recording, { outcome, summary });
+    return Object.assign(recording, { outcome, summary, diff });
   }
 
   /** Creates the recording of a run that begins with an update `run`. */

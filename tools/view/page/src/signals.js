@@ -3,6 +3,9 @@
 import { countUpTo } from './search.js';
 import { word } from './words.js';
 
+/** Largest number of joints in a strip of plots. */
+const JOINTS = 6;
+
 /** Returns the groups of a recording with their signals: name, unit, and values by frame or by change. */
 export function signalGroups(recording) {
   const { robot } = recording;
@@ -33,6 +36,12 @@ export function firstChoice(recording) {
   const arm = recording.robot.legs.flatMap((leg, l) => leg.joints.map((_, j) => `angle.${l * leg.joints.length + j}`));
   if (recording.has('margin')) return new Set(walker);
   return new Set(recording.has('load.0') ? hand : arm);
+}
+
+/** Returns signals in strips of plots: those of many joints leg by leg. */
+export function inStrips(signals) {
+  if (signals.length <= JOINTS || signals.some(({ dash }) => dash === undefined)) return signals.length ? [signals] : [];
+  return [...new Set(signals.map(({ leg }) => leg))].map((of) => signals.filter(({ leg }) => leg === of));
 }
 
 /** Returns the value of a signal at a time (ms); undefined after the end of the run, and for a variable before it is assigned. */

@@ -2,6 +2,7 @@
 
 import { clockTime, element, fixed, make } from './dom.js';
 import { feet } from './kinematics.js';
+import { namesOf } from './comparison.js';
 import { countUpTo } from './search.js';
 import { shown } from './source.js';
 import { label, whenSpoken, word } from './words.js';
@@ -61,10 +62,12 @@ export function state(player, plot, assign) {
   const show = () => {
     const { cycle } = player;
     element('message').textContent = recording.messageAt(cycle);
-    const alarm = alarmAt(player);
-    element('alert').hidden = !alarm;
-    element('alert').textContent = alarm;
-    element('now-line').textContent = recording.markedLineAt(cycle) ?? '–';
+    const { runs } = player;
+    const names = runs.length > 1 ? namesOf(runs.map(({ recording }) => recording)) : [''];
+    const alarms = runs.map((run, n) => [names[n], alarmAt(run)]).filter(([, alarm]) => alarm);
+    element('alert').hidden = !alarms.length;
+    element('alert').textContent = alarms.map((alarm) => alarm.filter(Boolean).join(': ')).join(' · ');
+    element('now-line').textContent = runs.map(({ recording, cycle }) => recording.markedLineAt(cycle) ?? '–').join(' | ');
     showMargin(player);
   };
   const showState = () => {
@@ -211,16 +214,19 @@ function inWords(modes) {
   return said.map((words) => words.join(' ')).join(', ');
 }
 
-function showMargin({ recording, cycle, time }) {
-  const margin = recording.value('margin', recording.between(time));
-  element('margin-box').hidden = margin === undefined;
-  element('falls-box').hidden = margin === undefined;
-  if (margin === undefined) return;
-  element('now-margin').textContent = `${fixed(margin, 0)} mm`;
-  element('now-margin').classList.toggle('bad', margin < 0);
-  const [falls] = recording.at('fall', cycle) ?? [0];
-  element('now-falls').textContent = falls;
-  element('now-falls').classList.toggle('bad', falls > 0);
+function showMargin({ runs }) {
+  const known = runs.map(({ recording, cycle, time }) => {
+    const margin = recording.value('margin', recording.between(time));
+    return margin === undefined ? [] : [margin, (recording.at('fall', cycle) ?? [0])[0]];
+  });
+  const isKnown = known.some(({ length }) => length);
+  element('margin-box').hidden = element('falls-box').hidden = !isKnown;
+  if (!isKnown) return;
+  const margins = known.map(([margin]) => (margin === undefined ? '–' : fixed(margin, 0)));
+  element('now-margin').textContent = `${margins.join(' | ')} mm`;
+  element('now-margin').classList.toggle('bad', known.some(([margin]) => margin < 0));
+  element('now-falls').textContent = known.map(([, falls]) => falls ?? '–').join(' | ');
+  element('now-falls').classList.toggle('bad', known.some(([, falls]) => falls > 0));
 }
 
 /** Returns the text about a fall or fault that has just happened. */
@@ -249,26 +255,28 @@ export function endOf({ outcome }) {
   return word(key, outcome.how, clockTime(outcome.time)) + why;
 }
 
-/** Fills the list of events of a run. */
+/** Fills the list of events of a run, or of two. */
 export function listMarks(player) {
-  const { recording } = player;
+  const runs = player.runs.map(({ recording }) => recording);
+  const names = runs.length > 1 && namesOf(runs);
   const words = {
     message: (text) => text,
     event: (text) => text,
     fall: ([, margin, kind]) => `${word(kind ?? 'fell')} (${fixed(margin, 1)} mm)`,
-    slip: ({ leg, distance }) => `${word('slipped', legName(recording, leg))} (${fixed(distance, 1)} mm)`,
-    fault: () => `${word('fault')}: ${recording.outcome.error}`,
+    slip: ({ leg, distance }) => `${word('slipped', legName(player.recording, leg))} (${fixed(distance, 1)} mm)`,
+    fault: (_, { outcome }) => `${word('fault')}: ${outcome.error}`,
   };
-  const rows = recording.marks.map((mark) => {
+  const rows = player.marks.map((mark) => {
+    const recording = runs[mark.run];
     const button = make('button', { type: 'button', className: `mark ${mark.kind}` });
     button.append(
       make('time', { textContent: clockTime(recording.told(recording.endOf(mark.kind === 'fall' ? mark.cycle - 1 : mark.cycle))) }),
       make('span', { className: 'kind', textContent: '' }),
-      make('span', { textContent: words[mark.kind](mark.value) }),
+      make('span', { textContent: (names ? `${names[mark.run]}: ` : '') + words[mark.kind](mark.value, recording) }),
     );
     button.addEventListener('click', () => {
       player.pause();
-      player.goTo(mark.cycle);
+      player.goToMoment(mark);
     });
     return make('li', {}, button);
   });
