@@ -204,6 +204,12 @@ tipc::message_table! {
     ServeOthers
         "anyone with this address can run, edit and save the program",
         "このアドレスを知る人は誰でも、プログラムの実行・編集・保存ができます";
+    ServeRuns
+        "anyone with this address can see the table and replay its runs",
+        "このアドレスを知る人は誰でも、表の閲覧と実行の再生ができます";
+    ServeTable
+        "a table is not run on hardware: leave out --hardware",
+        "表は実機では実行できません。--hardware を外してください";
     ServeDrives
         "anyone with this address and a way to this machine can drive the robot, stop it, and run other programs on it; what they send is not encrypted: use a network of your own",
         "このアドレスを知り、このマシンに接続できる人は誰でも、ロボットの操縦・停止と別のプログラムの実行ができます。通信は暗号化されません。自分のネットワークで使ってください";

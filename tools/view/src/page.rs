@@ -78,6 +78,8 @@ pub struct SweepTable<C, R, G> {
     pub command: String,
     /// 1, or the distance of the rows that were taken from a larger table.
     pub every: u64,
+    /// The server of the page has the page of each run, `case/N`.
+    pub is_served: bool,
 }
 
 /// Returns one HTML file that shows a table of runs, as `tip sweep` writes it, and makes no network requests.

@@ -191,6 +191,7 @@ fn no_table_leaves_its_place() {
         ranking: json!({ "goals": [], "where": [] }),
         command: "tip view '<b>.csv'".to_owned(),
         every: 2,
+        is_served: true,
     };
     let page = sweep_page("TIP-DATA</title>.csv", &table);
     assert_eq!(page.matches("<script").count(), 2);
@@ -204,6 +205,7 @@ fn no_table_leaves_its_place() {
         "ranking": { "goals": [], "where": [] },
         "command": "tip view '<b>.csv'",
         "every": 2,
+        "is_served": true,
     });
     assert_eq!(data(&page), expected);
 }
