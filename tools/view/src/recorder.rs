@@ -14,10 +14,11 @@ use tip_runtime::model::Point;
 use tip_runtime::program::{End, THREADS};
 use tip_runtime::record::Ending;
 use tip_sim::{
-    Cycle, Events, FallKind, Interpreter, Refused, Robot, Run, Summary, SummaryBuilder, Wait,
-    WaitDetector,
+    Cycle, Event, Events, FallKind, Interpreter, Refused, Robot, Run, Summary, SummaryBuilder,
+    Wait, WaitDetector,
 };
 use tipc::Loaded;
+use tipc::analysis::access;
 use tipc::language::Keyword;
 use tipc::source::Source;
 
@@ -221,6 +222,8 @@ pub(crate) struct Recorder {
     falls: u32,
     upright_falls: u32,
     tasks: Tasks,
+    /// Scalars that an event set and no step has read since.
+    unread: Vec<usize>,
     pub(crate) frame_rate: FrameRate,
     /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
@@ -249,6 +252,7 @@ impl Recorder {
             falls: 0,
             upright_falls: 0,
             tasks: Tasks::default(),
+            unread: Vec::new(),
             frame_rate: FrameRate::Smooth,
             pending: None,
         }
@@ -265,6 +269,7 @@ impl Recorder {
         };
         self.keep_time(cycle, happened.time, period);
         self.note(happened);
+        self.note_changes(cycle, run);
         self.end_threads(cycle, cycle);
         self.note_timers(cycle, run);
         let locks = Occurrence::Locks(run.locked());
@@ -374,6 +379,57 @@ impl Recorder {
         let all = messages.chain(lamps).chain(commands).chain(sets);
         let entries = all.map(|what| LogEntry { cycle, what });
         self.recording.log.extend(entries);
+    }
+
+    /// Adds the values that events set before a cycle, and the first steps that read them. A value that the program has replaced in
+    /// the same cycle is not added.
+    fn note_changes(&mut self, cycle: u64, run: &Run) {
+        let Recording {
+            events,
+            script,
+            log,
+            ..
+        } = &mut self.recording;
+        let later = &events[events.partition_point(|event| event.cycle < cycle)..];
+        for event in later.iter().take_while(|event| event.cycle == cycle) {
+            let Event::Set(name, value) = &event.event else {
+                continue;
+            };
+            let Some(scalar) = script.scalar(name) else {
+                continue;
+            };
+            let what = Occurrence::Assigned {
+                scalar,
+                value: *value,
+            };
+            let mut own = log.iter().rev().take_while(|entry| entry.cycle == cycle);
+            if own.all(|entry| entry.what.key() != what.key()) {
+                log.push(LogEntry { cycle, what });
+            }
+            if !self.unread.contains(&scalar) {
+                self.unread.push(scalar);
+            }
+        }
+        let program = run.engine::<Interpreter>().map(Interpreter::program);
+        let Some(program) = program.filter(|_| !self.unread.is_empty()) else {
+            return;
+        };
+        for step in run.steps() {
+            let Some(step) = program.steps().get(step.from.step as usize) else {
+                continue;
+            };
+            access::reads(program, &step.action, |scalar| {
+                let Some(at) = self.unread.iter().position(|unread| *unread == scalar) else {
+                    return;
+                };
+                self.unread.remove(at);
+                let what = Occurrence::Read {
+                    scalar,
+                    line: step.line,
+                };
+                self.recording.log.push(LogEntry { cycle, what });
+            });
+        }
     }
 
     /// Adds the steps of threads in a cycle.
@@ -563,6 +619,7 @@ pub(crate) struct Checkpoint {
     falls: u32,
     upright_falls: u32,
     tasks: Tasks,
+    unread: Vec<usize>,
 }
 
 impl Recorder {
@@ -575,6 +632,7 @@ impl Recorder {
             falls: self.falls,
             upright_falls: self.upright_falls,
             tasks: self.tasks,
+            unread: self.unread.clone(),
         }
     }
 
@@ -585,6 +643,7 @@ impl Recorder {
         self.falls = checkpoint.falls;
         self.upright_falls = checkpoint.upright_falls;
         self.tasks = checkpoint.tasks;
+        self.unread.clone_from(&checkpoint.unread);
         self.pending = None;
         self.recording.cut(checkpoint.cycle);
         let entries = self.recording.log.iter().map(|entry| &entry.what);

@@ -77,6 +77,13 @@ pub enum Occurrence {
         /// The value that was assigned.
         value: f64,
     },
+    /// A step read a variable for the first time after an event had set it. A trace lacks it.
+    Read {
+        /// Its place among [`Script::scalars`].
+        scalar: usize,
+        /// The line of the step, from 1.
+        line: u32,
+    },
     /// A lamp was switched on (true) or off.
     Lamp(u8, bool),
     /// A command was accepted.
@@ -116,6 +123,7 @@ impl Occurrence {
             Occurrence::Locks(_) => "locks".into(),
             Occurrence::Message(_) => "message".into(),
             Occurrence::Assigned { scalar, .. } => numbered("set", scalar),
+            Occurrence::Read { scalar, .. } => numbered("read", scalar),
             Occurrence::Lamp(device, _) => numbered("lamp", device),
             Occurrence::Command(command) => numbered("command", &command.target),
             Occurrence::Contacts(_) => "contacts".into(),

@@ -182,6 +182,7 @@ fn value(what: &Occurrence) -> Json {
         Occurrence::Locks(joints) => json!(listed(joints)),
         Occurrence::Message(text) => json!(text),
         Occurrence::Assigned { value, .. } => json!(value),
+        Occurrence::Read { line, .. } => json!(line),
         Occurrence::Lamp(_, on) => json!(on),
         Occurrence::Command(command) => json!(words(command)),
         Occurrence::Contacts(touch) => json!(mask(touch)),

@@ -16,8 +16,11 @@ const NEAR = 0.5;
 
 const legName = (recording, leg) => `F${leg + 1}`;
 
-/** Shows the state. `assign(name, value)` assigns a variable; it is absent in a replay. */
-export function state(player, plot, assign) {
+/**
+ * Shows the state. A replay has no `live`: its `assign(name, value)` assigns a variable, `constant(name)` returns what the text of the
+ * program assigns to it, `{ line, value }`, and `write(name, value)` writes another value there.
+ */
+export function state(player, plot, live) {
   const { recording } = player;
   let [devices, lamps, cells, modes, joints, places] = [[], [], [], [], [], []];
   /** Creates the rows for the robot and the program of a run that begins. */
@@ -38,20 +41,25 @@ export function state(player, plot, assign) {
       return place;
     });
     cells = recording.script.scalars.map((name, scalar) => {
-      const [value, from] = [make('td'), make('button', { type: 'button' })];
+      const [value, from, write] = [make('td'), make('button', { type: 'button' }), make('button', { type: 'button', hidden: true })];
       from.addEventListener('click', () => {
         const { cycle } = player;
-        const set = recording.lastOf(`set.${scalar}`, cycle);
+        const { set, isOutside, read } = origin(name, scalar, cycle);
         player.pause();
+        if (isOutside) {
+          player.goTo(read);
+          return;
+        }
         // At the cycle of the assignment, the button leads to the one before.
         player.goTo((set === cycle ? recording.lastOf(`set.${scalar}`, cycle - 1) : set) ?? set);
       });
-      if (assign) assignable(value, name, assign);
+      if (live) assignable(value, name, live.assign);
+      write.addEventListener('click', () => live.write(name, recording.at(`set.${scalar}`, player.cycle)));
       const button = make('button', { type: 'button', textContent: name });
       button.addEventListener('click', () => plot(scalar));
-      return { value, button, name, from };
+      return { value, button, name, from, write };
     });
-    element('variables').replaceChildren(...cells.map(({ value, button, from }) => make('tr', {}, make('th', { scope: 'row' }, button), value, make('td', { className: 'from' }, from))));
+    element('variables').replaceChildren(...cells.map(({ value, button, from, write }) => make('tr', {}, make('th', { scope: 'row' }, button), value, make('td', { className: 'from' }, from, write))));
     nameCells();
   };
   const nameCells = () => {
@@ -90,19 +98,28 @@ export function state(player, plot, assign) {
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
     const events = recording.entries('event');
-    cells.forEach(({ value, name, from }, scalar) => {
-      const set = recording.lastOf(`set.${scalar}`, cycle);
-      const outside = events.cycles.some((cycle, n) => cycle === set && events.values[n].startsWith(`set ${name}=`));
-      from.hidden = set === undefined || outside;
-      if (!from.hidden) {
-        const line = recording.lineAt(set);
-        from.textContent = `${word('line')} ${line}`;
-        label(from, 'setBy', name, line);
+    cells.forEach(({ value, name, from, write }, scalar) => {
+      const { set, isOutside, read } = origin(name, scalar, cycle);
+      from.hidden = set === undefined;
+      from.disabled = isOutside && read === undefined;
+      if (from.disabled) {
+        from.textContent = word('unread');
+        label(from, 'unreadYet', name);
+      } else if (!from.hidden) {
+        const line = isOutside ? recording.at(`read.${scalar}`, cycle) : recording.lineAt(set);
+        from.textContent = word(isOutside ? 'readIn' : 'inLine', line);
+        label(from, isOutside ? 'readBy' : 'setBy', name, line);
+      }
+      const constant = isOutside ? live?.constant(name) : undefined;
+      write.hidden = !constant || constant.value === recording.at(`set.${scalar}`, cycle);
+      if (!write.hidden) {
+        write.textContent = word('writeIt');
+        label(write, 'writeInto', name, constant.line);
       }
       const now = recording.at(`set.${scalar}`, cycle);
       const text = now === undefined ? '–' : shown(now);
       // The user edits the value.
-      if (value.contains(document.activeElement)) return;
+      if (value.firstElementChild) return;
       value.classList.toggle('changed', value.textContent !== '' && value.textContent !== text);
       value.textContent = text;
     });
@@ -114,6 +131,13 @@ export function state(player, plot, assign) {
         return make('kbd', { className: fresh ? 'fresh' : '', textContent: text });
       }),
     );
+  };
+  /** Returns the cycle in which a variable got its value up to another one; if it came from outside, also the first that read it. */
+  const origin = (name, scalar, cycle) => {
+    const [set, last] = ['set', 'read'].map((key) => recording.lastOf(`${key}.${scalar}`, cycle));
+    const events = recording.entries('event');
+    const isOutside = events.cycles.some((cycle, n) => cycle === set && events.values[n].startsWith(`set ${name}=`));
+    return { set, isOutside, read: isOutside && last >= set ? last : undefined };
   };
   const showJoints = () => {
     const place = recording.between(player.time);

@@ -106,6 +106,30 @@ fn each_thing_is_kept_in_its_cycle() {
 }
 
 #[test]
+fn what_events_set_is_kept_and_the_first_step_that_reads_it() {
+    // A step is a cycle; that of cycle 5, in line 9, reads A for the first time after the event. Nothing reads B.
+    let text = "3.1\nReads\nDEF_VAR A, B\nA = 1\nB = 0\nREM\nREM\nREM\nB = A\nB = A\nEND\n";
+    let recording = record(text, &titan(), "1:set A=5, 2:set B=7", LONG);
+    let names = &recording.script.scalars;
+    let reads = entries!(recording, Occurrence::Read { scalar, line } => (&*names[*scalar], *line));
+    assert_eq!(reads, [(5, ("A", 9))]);
+    let sets =
+        entries!(recording, Occurrence::Assigned { scalar, value } => (&*names[*scalar], *value));
+    let expected = [
+        (0, ("A", 1.0)),
+        (1, ("B", 0.0)),
+        (1, ("A", 5.0)),
+        (2, ("B", 7.0)),
+        (5, ("B", 5.0)),
+    ];
+    assert_eq!(sets, expected);
+    assert!(recording.log.is_sorted_by_key(|entry| entry.cycle));
+    // Without a change nothing is kept.
+    let recording = record(text, &titan(), "", LONG);
+    assert!(entries!(recording, Occurrence::Read { .. } => ()).is_empty());
+}
+
+#[test]
 fn motion_is_kept_at_50_hz_and_at_the_end() {
     let grasp = example("grasp/motions/grasp.prg");
     let recording = record(&grasp, &hand(), "", DurationLimit::cycles(505));
