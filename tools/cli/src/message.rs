@@ -754,6 +754,9 @@ tipc::message_table! {
     OutOfReach
         "feet do not reach their positions in the gait: set another `initial`, for example with `tip robot import --stand`, or wider limits",
         "足先が歩容の位置に届きません。`tip robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
+    TooSlow { speed: f64 }
+        "servos that turn {speed} deg/s are too slow for it: look at `speed` of the drives, or choose another gait",
+        "{speed} deg/sのサーボでは遅すぎます。`[[drive]]`の`speed`を確かめるか、別の歩容を選んでください";
     Falls
         "the simulated robot falls at every speed that was tried: set another `initial`, for example with `tip robot import --stand`",
         "試したどの速さでも、シミュレーションのロボットが倒れます。`tip robot import --stand` などで `initial` を変えてください";
