@@ -113,6 +113,9 @@ tipc::message_table! {
     RecordError { text: String }
         "`{text}` is no error that a motion can have: give 0.2 to 45 deg",
         "`{text}` は誤差として使えません。0.2から45度を指定してください";
+    ServeTrace
+        "--trace of a served run needs a file: standard output has the address of the page",
+        "配信中の実行の --trace にはファイルを指定してください。標準出力にはページのアドレスを書きます";
     RecordPlace { text: String }
         "`{text}` is no place in a program: give the number of a line from 3 on, or `end`",
         "`{text}` はプログラムの位置として使えません。3以上の行番号か `end` を指定してください";
