@@ -83,6 +83,12 @@ pub(super) struct Serve {
     #[arg(long, value_name = "PORT", requires = "hardware")]
     port: Option<String>,
 
+    /// Write the trace of the run, with its motion
+    ///
+    /// Each run from the start replaces it. `tip view` shows it beside a simulated run
+    #[arg(long, value_name = "OUT.jsonl", requires = "hardware")]
+    trace: Option<PathBuf>,
+
     /// Use SCHED_FIFO and lock the memory
     #[arg(long, requires = "hardware", hide_short_help = true)]
     fifo: bool,

@@ -197,6 +197,8 @@ struct State {
     age: u32,
     /// Number of requests since then.
     unanswered: u32,
+    /// Answers that were missing or damaged.
+    missing: u64,
     /// Error byte of the answers, and another one that came once.
     error: u8,
     other_error: Option<u8>,
@@ -308,6 +310,7 @@ impl<P: Port> Drives<P> {
             is_late: false,
             age: 0,
             unanswered: 0,
+            missing: 0,
             error: 0,
             other_error: None,
             off: 0,
@@ -389,6 +392,11 @@ impl<P: Port> Drives<P> {
     /// Returns the number of cycles since the last answer of a joint's servo that was believed; 0 if it is of this cycle.
     pub fn age(&self, joint: usize) -> Option<u32> {
         self.joints.get(joint).map(|state| state.age)
+    }
+
+    /// Returns the number of answers of a joint's servo that were missing or damaged.
+    pub fn missing(&self, joint: usize) -> Option<u64> {
+        self.joints.get(joint).map(|state| state.missing)
     }
 
     /// Finds every servo, checks its model and its settings, takes over the delay of its answers, and reads its position. Nothing
@@ -915,7 +923,10 @@ impl<P: Port> Drives<P> {
             state.unanswered = state.unanswered.saturating_add(1);
             match reading {
                 Some(_) => self.counts.implausible += u64::from(!taken),
-                None => self.counts.missing += 1,
+                None => {
+                    state.missing += 1;
+                    self.counts.missing += 1;
+                }
             }
             // A goal switches the torque of AX, MX and STS servos on again after a reset; their limits are not the robot's then.
             if let Some(reading) = reading.as_ref().filter(|reading| reading.is_on.is_some()) {

@@ -258,13 +258,26 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// # Errors
     /// Any failure that would stop a run; the robot was left as in an emergency.
     pub fn approach(&mut self, to: &[f64], speed: f64) -> Result<Step, Failure> {
-        let mut step = self.hold()?;
-        let mut settled = 0;
-        while !matches!(step, Step::Left(_)) && settled < SETTLING {
-            step = self.step(to, speed)?;
-            settled += u32::from(step == Step::Arrived);
+        match self.hold()? {
+            Step::Left(request) => Ok(Step::Left(request)),
+            Step::Moving | Step::Arrived => self.reach(to, speed),
         }
-        Ok(step)
+    }
+
+    /// Moves every joint of a robot that [holds](Self::hold) to an angle, deg, at this many deg/s at most, and gives the servos time to
+    /// get there.
+    ///
+    /// # Errors
+    /// Any failure that would stop a run; the robot was left as in an emergency.
+    pub fn reach(&mut self, to: &[f64], speed: f64) -> Result<Step, Failure> {
+        let mut settled = 0;
+        loop {
+            let step = self.step(to, speed)?;
+            settled += u32::from(step == Step::Arrived);
+            if settled == SETTLING || matches!(step, Step::Left(_)) {
+                return Ok(step);
+            }
+        }
     }
 
     /// Makes [`leave`](Self::leave) treat the robot as in an emergency.

@@ -272,8 +272,13 @@ impl Run {
 
     /// Runs one cycle, and returns what happened in it. After the program's end the robot is still held.
     pub fn cycle(&mut self) -> Cycle {
+        self.reported(None)
+    }
+
+    /// Runs one cycle as [`cycle`](Self::cycle) does, and reports it to a sink, too.
+    pub fn reported(&mut self, sink: Option<&mut dyn Sink>) -> Cycle {
         let mut collector = Collector::new(self.cycles(), self.time());
-        let status = self.advance(Some(&mut collector));
+        let status = tee(Some(&mut collector), sink, |sink| self.advance(sink));
         collector.finish(self.machine.as_ref(), status)
     }
 

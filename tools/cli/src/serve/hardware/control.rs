@@ -5,9 +5,11 @@ use crate::drives::realtime::{self, wait_until};
 use crate::drives::report_stiff;
 use crate::drives::robot::Connection;
 use crate::message::Driving;
+use crate::run::files::Trace;
 use crate::serve::controls::Controls;
 use crate::{Status, input, interrupt, report, sticks};
 use std::io::{self, IsTerminal, Sink};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::{Duration, Instant};
@@ -113,6 +115,10 @@ pub(super) struct Control {
     stage: Stage,
     /// The time of the next report of all servos.
     due: Instant,
+    /// Time on the bus, µs, and commanded cycles until the last report.
+    reported: (u64, u64),
+    /// The file of the trace.
+    trace: Option<PathBuf>,
     lang: Lang,
 }
 
@@ -122,18 +128,24 @@ impl Control {
         robot: Robot,
         controls: Arc<Controls>,
         (orders, reports): (Receiver<Order>, Sender<Report>),
+        trace: Option<PathBuf>,
         lang: Lang,
     ) -> Self {
         Control {
+            state: RobotState {
+                period: connection.period(),
+                ..RobotState::new()
+            },
             connection,
             robot,
             controls,
             orders,
             reports,
             next: None,
-            state: RobotState::new(),
             stage: Stage::Paused,
             due: Instant::now(),
+            reported: (0, 0),
+            trace,
             lang,
         }
     }
@@ -249,10 +261,19 @@ impl Control {
         };
         let now = self.controls.now();
         self.controls.driver().begin(now);
+        // Nothing is opened any more while the torque is on.
+        let opened = self
+            .trace
+            .as_deref()
+            .map(|path| Trace::begin(path, false, true));
+        let trace = match opened.transpose() {
+            Ok(trace) => trace,
+            Err(error) => return self.refuse(error.text(self.lang)),
+        };
         self.enter(Phase::Approach);
         self.connection.take_over(true);
         match self.approach(starter) {
-            Ok(Step::Moving | Step::Arrived) => self.run(run, &prepared),
+            Ok(Step::Moving | Step::Arrived) => self.run(run, &prepared, trace),
             Ok(Step::Left(request)) => {
                 if request == Request::EmergencyStop {
                     self.note_stop();
@@ -331,7 +352,7 @@ impl Control {
     }
 
     /// Runs the program in real time until it ends, and leaves the robot.
-    fn run(&mut self, run: Run, prepared: &Arc<Prepared>) {
+    fn run(&mut self, run: Run, prepared: &Arc<Prepared>, mut trace: Option<Trace>) {
         let begun = Report::Begun(Box::new((run.clone(), Arc::clone(prepared))));
         self.tell(begun);
         self.enter(Phase::Running);
@@ -377,23 +398,31 @@ impl Control {
                 }
             }
             run.pause(stage == Stage::Paused);
-            let cycle = run.cycle();
+            let cycle = run.reported(trace.as_mut().map(Trace::sink));
+            if let Some(trace) = &mut trace {
+                trace.after(&run);
+            }
             if stage != Stage::Paused || run.ending().is_some() {
                 self.tell(Report::Cycle(Box::new((cycle, run.snapshot()))));
             }
             if let Some(Ending::Emergency(_)) = run.ending() {
                 self.note_stop();
             }
-            self.state.late = pacer.overruns();
+            (self.state.late, self.state.period) = (pacer.overruns(), run.period());
             self.report_servos();
             wait_until(pacer.due(run.period()));
         }
         if let Some(failure) = self.connection.failure() {
             self.fail(failure);
         }
+        let (ending, cycles) = (run.ending(), run.cycles());
         // Its console gives the keys of the terminal back.
         drop(run);
         self.leave();
+        let written = trace.map(|trace| trace.end(ending.unwrap_or(Ending::Interrupted), cycles));
+        if let Some(Err(error)) = written {
+            report::complain(&format!("{}\n", error.text(self.lang)));
+        }
     }
 
     /// Lets something happen to the run before its next step.
@@ -478,9 +507,15 @@ impl Control {
                     voltage: measured.and_then(|it| it.voltage),
                     temperature: measured.and_then(|it| it.temperature),
                     age: drives.age(place).unwrap_or_default(),
+                    missing: drives.missing(place).unwrap_or_default(),
                 }
             })
             .collect();
+        let counts = drives.counts();
+        let cycles = counts.commanded.saturating_sub(self.reported.1);
+        let busy = counts.busy.saturating_sub(self.reported.0) as f64 / 1000.0;
+        self.state.bus = (cycles > 0).then(|| busy / cycles as f64);
+        self.reported = (counts.busy, counts.commanded);
         let counters = drives.bus().counters();
         self.state.answers = [counters.asked, counters.answered];
         drop(robot);
