@@ -1027,9 +1027,6 @@ tipc::message_table! {
     ServeStarts
         "keep clear; the button of the page, held for a second, or RETURN here starts the robot; RETURN is the emergency stop then",
         "ロボットから離れてください。ページのボタンを1秒間押し続けるか、ここでRETURNを押すと開始します。動作中のRETURNは非常停止です";
-    ServeLeft { joints: String }
-        "these servos are perhaps not as they were to be left: {joints}. Switch their power off",
-        "次のサーボは指定の状態になっていない可能性があります: {joints}。電源を切ってください";
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";

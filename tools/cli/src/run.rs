@@ -393,7 +393,7 @@ impl Job<'_> {
             if let Some(screen) = run.console_mut::<Screen>() {
                 screen.clear();
             }
-            connection.finish()
+            connection.finish().is_stopped
         });
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {

@@ -196,6 +196,15 @@ impl Host<AnyPort> for Attended {
     }
 }
 
+/// The end of a robot that was left.
+#[derive(Debug)]
+pub(crate) struct Finished {
+    /// True if the emergency stop was pressed meanwhile.
+    pub(crate) is_stopped: bool,
+    /// Lines about the servos that are in another state than they were to be; empty if there are none.
+    pub(crate) complaint: String,
+}
+
 type SharedGuard = Mutex<TorqueGuard<AnyPort, Attended>>;
 
 fn lock(robot: &SharedGuard) -> MutexGuard<'_, TorqueGuard<AnyPort, Attended>> {
@@ -229,12 +238,12 @@ impl Connection {
         self.robot().host_mut().operator.key()
     }
 
-    /// Reads the keys of a robot without torque from now on, and returns what the operator asks for.
-    pub(super) fn request(&self) -> Option<Request> {
+    /// Reads the keys of a robot without torque from now on, and returns what the operator at the terminal asks for.
+    pub(crate) fn request(&self) -> Option<Request> {
         let mut robot = self.robot();
-        let host = robot.host_mut();
-        host.operator.take_keys();
-        host.request()
+        let operator = &mut robot.host_mut().operator;
+        operator.take_keys();
+        operator.request()
     }
 
     /// Returns the sampling time, ms.
@@ -400,19 +409,22 @@ impl Connection {
         self.robot().host_mut().operator.give_keys()
     }
 
-    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then; returns
-    /// true if the emergency stop was pressed.
-    pub(crate) fn finish(&self) -> bool {
+    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then.
+    pub(crate) fn finish(&self) -> Finished {
         let mut robot = self.robot();
         let was_stopped = robot.is_stopped();
         let left = operator::leave(&mut robot, &self.setup);
         interrupt::is_left();
-        report::complain(&lines(left, self.lang));
+        let complaint = lines(left, self.lang);
+        report::complain(&complaint);
         let is_stopped = robot.is_stopped() && !was_stopped;
         if is_stopped {
             report::say(Stopping::KeyPressed, self.lang);
         }
-        is_stopped
+        Finished {
+            is_stopped,
+            complaint,
+        }
     }
 
     /// Returns the problem that stopped the robot.

@@ -577,13 +577,13 @@ impl Socket<'_> {
 
     fn send(&mut self) -> Result<(), End> {
         while let Some(text) = self.outbox.take() {
-            self.socket.write(Message::text(text))?;
+            unless_interrupted(self.socket.write(Message::text(text)))?;
         }
         if self.pinged.elapsed() > PING {
             self.pinged = Instant::now();
-            self.socket.write(Message::Ping(Vec::new().into()))?;
+            unless_interrupted(self.socket.write(Message::Ping(Vec::new().into())))?;
         }
-        Ok(self.socket.flush()?)
+        unless_interrupted(self.socket.flush())
     }
 
     fn receive(&mut self) -> Result<(), End> {
@@ -618,12 +618,20 @@ impl Socket<'_> {
     }
 }
 
-/// Returns true if nothing has arrived yet.
+/// Returns true if nothing has arrived yet. A process that was suspended is interrupted where it waits with a time-out.
 fn is_timeout(error: &io::Error) -> bool {
     matches!(
         error.kind(),
-        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut
+        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut | io::ErrorKind::Interrupted
     )
+}
+
+/// Lets a process that was suspended while it wrote go on: the library keeps what is not written yet.
+fn unless_interrupted(written: Result<(), Error>) -> Result<(), End> {
+    match written {
+        Err(Error::Io(error)) if error.kind() == io::ErrorKind::Interrupted => Ok(()),
+        written => Ok(written?),
+    }
 }
 
 /// A limit of the rate of requests.

@@ -223,6 +223,19 @@ fn a_viewer_that_takes_nothing_holds_up_nobody() {
     viewer.does(json!({"do": "pause"}));
 }
 
+/// A page that drives would lose its robot with its connection.
+#[test]
+fn a_server_that_is_suspended_for_a_moment_keeps_its_viewers() {
+    let server = Server::begin(&counts("serve-suspended"), &["counts.prg"]);
+    let mut viewer = server.viewer();
+    for _ in 0..20 {
+        let cycles = viewer.cycles;
+        viewer.until(|viewer| viewer.cycles > cycles + 2);
+        server.suspend();
+    }
+    viewer.does(json!({"do": "pause"}));
+}
+
 #[test]
 fn what_cannot_be_served_is_said() {
     let folder = counts("serve-not").program("bad.prg", "PTTP F1\nEND");

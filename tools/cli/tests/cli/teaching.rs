@@ -2,11 +2,11 @@
 
 use crate::faults::terminal::Pty;
 use crate::servo_bus::{ServoBus, described};
-use crate::support::{Folder, Outcome};
+use crate::support::{Folder, Outcome, start};
 use crate::torque::{leg, signal};
 use rustix::process::Signal;
 use std::io::Read;
-use std::process::{Child, Stdio};
+use std::process::Child;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread::spawn;
 use std::time::Duration;
@@ -33,8 +33,7 @@ impl Lesson {
         let pty = Pty::new();
         let record = ["drives", "record", "robot.toml", "--port", bus.port()];
         let mut command = folder.command(&[&record[..], options].concat());
-        command.stdin(pty.input()).stdout(Stdio::piped());
-        let mut child = command.stderr(Stdio::piped()).spawn().expect("tip starts");
+        let mut child = start(&mut command, pty.input());
         let (sender, said) = channel();
         let mut error = child.stderr.take().expect("piped");
         // It is read all the time: the pose is shown again and again.

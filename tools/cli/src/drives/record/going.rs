@@ -50,7 +50,7 @@ pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Res
         Some(status) => return Ok(Gone::Left(Some(status))),
     }
     // A robot that relaxes at its end sinks slowly.
-    if connection.finish() {
+    if connection.finish().is_stopped {
         return Ok(Gone::Left(Some(Status::Emergency)));
     }
     relax(connection, lang)?;

@@ -4,7 +4,6 @@
 use crate::drives::realtime::{self, wait_until};
 use crate::drives::report_stiff;
 use crate::drives::robot::Connection;
-use crate::message::Driving;
 use crate::run::files::Trace;
 use crate::serve::controls::Controls;
 use crate::{Status, input, interrupt, report, sticks};
@@ -33,9 +32,8 @@ const REPORTING: Duration = Duration::from_millis(200);
 const SETTLING: u32 = 15;
 /// Most orders of one cycle.
 const MAX_ORDERS: usize = 64;
-/// The bytes of the key RETURN.
+/// The byte of the key RETURN.
 const RETURN: u8 = 0x0D;
-const LINE_FEED: u8 = 0x0A;
 
 /// A report of the control cycle.
 pub(super) enum Report {
@@ -81,18 +79,13 @@ impl Console for Keys {
         if self.controls.is_stopped() {
             return Some(RETURN);
         }
-        typed(&mut self.keyboard, cycle)
+        let keyboard = self.keyboard.as_mut()?;
+        let key = keyboard.key(cycle);
+        if keyboard.interrupted() {
+            interrupt::request();
+        }
+        key
     }
-}
-
-/// Returns the next key of a terminal whose keys are meant for this process.
-fn typed(keyboard: &mut Option<Terminal<Sink>>, cycle: u64) -> Option<u8> {
-    let keyboard = keyboard.as_mut()?;
-    let key = keyboard.key(cycle);
-    if keyboard.interrupted() {
-        interrupt::request();
-    }
-    key
 }
 
 /// The place from which a robot is started.
@@ -176,7 +169,6 @@ impl Control {
     fn await_start(&mut self) -> Option<Starter> {
         input::forget_typed();
         let is_terminal = io::stdin().is_terminal();
-        let mut keyboard = is_terminal.then(|| Terminal::on(io::sink(), false).report_interrupts());
         self.controls.reset();
         self.state.stopped_in = None;
         self.enter(Phase::Ready);
@@ -189,7 +181,9 @@ impl Control {
             if self.controls.is_stopped() {
                 self.controls.reset();
             }
-            let is_typed = matches!(typed(&mut keyboard, 0), Some(RETURN | LINE_FEED));
+            // Keys that start nothing wait for no program.
+            while self.connection.key().is_some() {}
+            let is_typed = is_terminal && self.connection.request() == Some(Request::EmergencyStop);
             let now = self.controls.now();
             let is_held = self.controls.driver().is_armed(now);
             let is_well = self.state.problem.is_none() && self.next.is_some();
@@ -449,27 +443,14 @@ impl Control {
         self.enter(Phase::Leaving);
         // A signal does not cut it short.
         interrupt::hold();
-        if self.connection.finish() {
+        let finished = self.connection.finish();
+        if finished.is_stopped {
             self.note_stop();
         }
         interrupt::release();
-        let uncertain = self.connection.robot().outcome().and_then(|outcome| {
-            let joints: Vec<usize> = outcome
-                .other
-                .iter()
-                .chain(&outcome.unknown)
-                .copied()
-                .collect();
-            (!joints.is_empty()).then_some(joints)
-        });
-        if let Some(joints) = uncertain {
-            let names = joints
-                .into_iter()
-                .map(|joint| self.connection.setup.name(joint));
-            let names = names.collect::<Vec<_>>().join(", ");
-            let state = Driving::ServeLeft { joints: names };
-            let reason = state.in_lang(self.lang).to_string();
-            self.state.problem.get_or_insert(reason);
+        if !finished.complaint.is_empty() {
+            let complaint = finished.complaint.trim_end().to_owned();
+            self.state.problem.get_or_insert(complaint);
         }
     }
 
