@@ -221,21 +221,28 @@ fn sticks(cycle: f64, seconds: f64, seed: u64) -> String {
     format!("{text}, {}:halt", (time * 1000.0 / cycle) as u64)
 }
 
-/// Every cycle sends one frame of goals to all servos, none is beyond the limits of the description or farther from the last one than
-/// its servo turns, and the servos are left as the description says. A gait that `tip new` derives for the servos never wants more of
-/// them; the examples, whose speed is that of simulated servos, seldom do.
 #[test]
-fn gaits_keep_limits_speeds_and_cycles_on_the_wire_whatever_the_sticks_do() {
+fn a_tripod_keeps_limits_speeds_and_cycles_on_the_wire_whatever_the_sticks_do() {
+    let example = include_str!("../../../../examples/published/tripod.prg");
+    derived_and_example_walk_on_servos("phantomx", example, &AX_12);
+}
+
+#[test]
+fn a_trot_keeps_limits_speeds_and_cycles_on_the_wire_whatever_the_sticks_do() {
+    let example = include_str!("../../../../examples/published/trot-spotmicro.prg");
+    derived_and_example_walk_on_servos("spotmicro", example, &STS3215);
+}
+
+/// Every cycle sends one frame of goals to all servos, none is beyond the limits of the description or farther from the last one than
+/// its servo turns, and the servos are left as the description says. A gait that `tip new` derives for the servos wants more of them
+/// in one of 10,000 commands at most, an example in one of 1000.
+fn derived_and_example_walk_on_servos(robot: &str, example: &str, manual: &Manual) {
     let seconds = env::var("STEERED_SECONDS").ok();
     let seconds = seconds.map_or(SECONDS, |text| text.parse().expect("a number"));
-    let tripod = include_str!("../../../../examples/published/tripod.prg");
-    let trot = include_str!("../../../../examples/published/trot-spotmicro.prg");
-    for (robot, example, manual) in [("phantomx", tripod, &AX_12), ("spotmicro", trot, &STS3215)] {
-        let derived = walk_on_servos(robot, &made(robot)[1], manual, "hold", seconds);
-        assert_eq!(derived, 0.0, "{robot}: slowed down");
-        let slowed = walk_on_servos(robot, example, manual, "relax", seconds);
-        assert!(slowed < 0.01, "{robot}: slowed down {slowed}");
-    }
+    let slowed = walk_on_servos(robot, &made(robot)[1], manual, "hold", seconds);
+    assert!(slowed < 1e-4, "{robot}: slowed down {slowed}");
+    let slowed = walk_on_servos(robot, example, manual, "relax", seconds);
+    assert!(slowed < 1e-3, "{robot}, example: slowed down {slowed}");
 }
 
 /// Returns the share of commands that were slowed down to the speed of their servos.
