@@ -109,11 +109,15 @@ impl Existing {
         let line_end = lines.map(|line| source.slice(line.end)).next();
         let line_end = line_end.filter(|end| !end.is_empty()).unwrap_or("\n");
         let mut block = String::new();
-        for (number, line) in (1..).zip(other.lines()) {
+        // Its last line is its end.
+        let statements = other
+            .trim_end()
+            .rsplit_once('\n')
+            .map_or("", |(all, _)| all);
+        for (number, line) in (1..).zip(statements.lines()) {
             match number {
                 1 => continue,
                 2 => block += &format!("{indent}// {line}"),
-                _ if line == "END" => break,
                 _ if line.is_empty() => {}
                 _ => block += &format!("{indent}{line}"),
             }
