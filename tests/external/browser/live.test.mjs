@@ -130,14 +130,15 @@ test('tells when the program has read a changed variable, and writes its value i
   await row.locator('td').first().click();
   await page.keyboard.type('350');
   await page.keyboard.press('Enter');
+  await says(page, '#message', 'at 350 mm/s');
   await row.locator('.from button:text-is("not read yet")').waitFor();
   assert.equal(await row.locator('.from button').first().isDisabled(), true);
   await page.focus('#keys');
   await page.keyboard.type('F');
-  await row.locator('.from button:text-is("read: line 10")').waitFor();
+  await row.locator('.from button:text-is("read: line 11")').waitFor();
   assert.equal(await value(page, 'N'), '350');
   await row.locator('.from button').first().click();
-  await page.waitForFunction(() => document.querySelector('#now-line').textContent === '10');
+  await page.waitForFunction(() => document.querySelector('#now-line').textContent === '11');
   // At a cycle before the change the cell has the value of then, though it has the focus.
   await row.locator('td').first().focus();
   await page.keyboard.press('Home');

@@ -5,6 +5,7 @@ DEF_VAR N
 SPEED = 300   // mm/s
 N = 0
 LOOP:
+MESSAGE at %SPEED% mm/s
 IF KB_HIT THEN
 KEY_IN
 N = SPEED

@@ -20,6 +20,7 @@ use tip_sim::{
 use tipc::Loaded;
 use tipc::analysis::access;
 use tipc::language::Keyword;
+use tipc::program::Action;
 use tipc::source::Source;
 
 /// Time between two frames, at least, ms.
@@ -382,7 +383,7 @@ impl Recorder {
     }
 
     /// Adds the values that events set before a cycle, and the first steps that read them. A value that the program has replaced in
-    /// the same cycle is not added.
+    /// the same cycle is not added. A message shows a value, but nothing follows from it.
     fn note_changes(&mut self, cycle: u64, run: &Run) {
         let Recording {
             events,
@@ -418,6 +419,9 @@ impl Recorder {
             let Some(step) = program.steps().get(step.from.step as usize) else {
                 continue;
             };
+            if let Action::Message { .. } | Action::FileMessage { .. } = step.action {
+                continue;
+            }
             access::reads(program, &step.action, |scalar| {
                 let Some(at) = self.unread.iter().position(|unread| *unread == scalar) else {
                     return;

@@ -77,7 +77,7 @@ pub enum Occurrence {
         /// The value that was assigned.
         value: f64,
     },
-    /// A step read a variable for the first time after an event had set it. A trace lacks it.
+    /// A step, not a message, read a variable for the first time after an event had set it. A trace lacks it.
     Read {
         /// Its place among [`Script::scalars`].
         scalar: usize,

@@ -63,7 +63,7 @@
 //   clock       [cycle, time, period]: this cycle began at a time (ms), and from it on each takes a period (ms)
 //   step        the step of the main program      thread.N    the step of a thread, or null where it is over
 //   set.N       the value of a variable, from 0   timer.N     [runs, time]: its time, or that of the robot at which it was 0 (ms)
-//   read.N      the line that read it first after an event had set it
+//   read.N      the first line, but for messages, that read it after an event had set it
 //   lamp.N      whether it is on                  command.N   the last command for a leg, as a text
 //   message     its text                          locks       the joints that are locked, with blanks between
 //   flags       those that are up, with blanks between        modes       [[target, mode]]

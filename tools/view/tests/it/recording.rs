@@ -107,8 +107,8 @@ fn each_thing_is_kept_in_its_cycle() {
 
 #[test]
 fn what_events_set_is_kept_and_the_first_step_that_reads_it() {
-    // A step is a cycle; that of cycle 5, in line 9, reads A for the first time after the event. Nothing reads B.
-    let text = "3.1\nReads\nDEF_VAR A, B\nA = 1\nB = 0\nREM\nREM\nREM\nB = A\nB = A\nEND\n";
+    // A step is a cycle; that of cycle 5, in line 9, reads A for the first time after the event, besides a message. Nothing reads B.
+    let text = "3.1\nReads\nDEF_VAR A, B\nA = 1\nB = 0\nREM\nREM\nMESSAGE %A%\nB = A\nB = A\nEND\n";
     let recording = record(text, &titan(), "1:set A=5, 2:set B=7", LONG);
     let names = &recording.script.scalars;
     let reads = entries!(recording, Occurrence::Read { scalar, line } => (&*names[*scalar], *line));
