@@ -22,6 +22,7 @@ function rows(summary) {
     const many = kind === 'would-fall' && upright === count ? word('wouldFalls', count) : upright ? word('uprightFalls', count, upright) : String(count);
     add('falls', count ? many : word('none'), { value: count, better: -1, at: first });
   }
+  const { collisions } = summary;
   const peak = (key, one, better, most) => {
     if (!one) return;
     const text = `${word(most, `${fixed(one.value, key === 'contactForce' ? 2 : 1)} ${one.unit}`)}${one.limit == null ? '' : ` (${word('limit', one.limit)})`}`;
@@ -30,6 +31,8 @@ function rows(summary) {
     found.at(-1).at = one;
   };
   peak('margin', summary.margin, 1, 'atLeast');
+  peak('clearance', summary.clearance, 1, 'atLeast');
+  if (collisions) add('collisions', collisions.cycles ? word('inCycles', collisions.cycles) : word('none'), { value: collisions.cycles, better: -1, at: collisions.first });
   peak('slip', summary.slip, -1, 'atMost');
   peak('jointRate', summary.rate, -1, 'atMost');
   peak('jointTorque', summary.torque, -1, 'atMost');
@@ -72,7 +75,7 @@ export function showFigures(player, summary, other) {
     const line = make('tr', {}, name, make('td', { className: 'figure' }, text), make('td', { className: 'moment' }, ...moment));
     if (other) {
       const same = others.find((one) => one.key === key && key !== 'waited' && (one.of === of || !['lift', 'contactForce'].includes(key)));
-      line.append(make('td', { className: 'figure' }, same ? [same.text, key === 'slip' || key.startsWith('joint') ? same.of : ''].join(' ') : '–'), difference(row, same));
+      line.append(make('td', { className: 'figure' }, same ? [same.text, ['slip', 'clearance'].includes(key) || key.startsWith('joint') ? same.of : ''].join(' ') : '–'), difference(row, same));
     }
     return line;
   });
@@ -85,7 +88,7 @@ function difference({ value, unit, better, key }, same) {
   const cell = make('td', { className: 'figure' });
   if (value === undefined || same?.value === undefined || value === null || same.value === null) return cell;
   const change = same.value - value;
-  const text = fixed(change, key === 'cost' ? 2 : key === 'falls' ? 0 : 1);
+  const text = fixed(change, key === 'cost' ? 2 : ['falls', 'collisions'].includes(key) ? 0 : 1);
   cell.textContent = `${change > 0 && Number(text) !== 0 ? '+' : ''}${text} ${unit} `;
   if (Number(text) === 0) return cell;
   const good = change * better > 0;

@@ -4,7 +4,7 @@ import { clockTime, colour, element, make } from './dom.js';
 import { SPEEDS } from './player.js';
 import { label, whenSpoken, word } from './words.js';
 
-const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', fault: 'bad' };
+const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', collision: 'bad', fault: 'bad' };
 
 export function timeline(player) {
   const { recording } = player;
@@ -51,7 +51,7 @@ function drawMarks(canvas, { recording, lastPlace }) {
   const first = recording.first ?? 0;
   const x = (cycle) => inset + ((width - 2 * inset) * (cycle - first)) / Math.max(lastPlace - first, 1);
   for (const { cycle, kind } of recording.marks) {
-    const grave = kind === 'fall' || kind === 'fault';
+    const grave = MARKS[kind] === 'bad';
     pen.fillStyle = colour(MARKS[kind]);
     pen.fillRect(x(cycle) - (grave ? 1.5 : 0.75), grave ? 0 : height * 0.35, grave ? 3 : 1.5, height);
   }
