@@ -88,6 +88,8 @@ pub(crate) trait DynModel: Send + Sync {
     fn turns(&self, op: Op, target: Target, values: &[f64], from: &[f64]) -> Vec<(usize, f64)>;
     /// Returns the function from the angles of all joints, leg by leg, to the least distance of two parts.
     fn distances(&self) -> Distances;
+    /// Returns true if two links, by leg and joint from 0, are compared in a search for collisions.
+    fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool;
     /// Simulates the robot on its legs.
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware>;
     /// Puts a program on the robot.
@@ -125,6 +127,10 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
     fn distances(&self) -> Distances {
         let bodies = SelfCollision::new(self);
         Arc::new(move |angles| bodies.clearance_of_row(angles))
+    }
+
+    fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool {
+        SelfCollision::new(self).compares(one, other)
     }
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {

@@ -211,6 +211,11 @@ impl Robot {
         self.model.distances()
     }
 
+    /// Returns true if two links, by leg and joint from 0, are compared in a search for collisions.
+    pub(crate) fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool {
+        self.model.compares(one, other)
+    }
+
     /// Puts a program on it.
     pub(crate) fn start(&self, program: ProgramRunner) -> Result<Box<dyn DynMachine>, Mismatch> {
         self.start_on(self.simulated(), program)
