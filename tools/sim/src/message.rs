@@ -228,6 +228,9 @@ tipc::message_table! {
     Massless { event: Text }
         "'{event}' is for walking robots with mass: --plant dynamic",
         "'{event}' は質量のある歩行ロボット用です(--plant dynamic)";
+    BoltedDown { event: Text }
+        "'{event}' is for walking robots: this one is bolted down",
+        "'{event}' は歩行ロボット用です。このロボットは固定されています";
 }
 
 tipc::message_table! {
