@@ -549,6 +549,38 @@ test('forces inside an object show through it', async () => {
   await close();
 });
 
+test('links that overlap are red, and the event leads to the line', async () => {
+  const { page, complaints, close } = await open(browser, `${pages}/crosses.html`, { colorScheme: 'light' }, '#cycle=0');
+  const reds = () =>
+    page.$eval('#canvas', (canvas) => {
+      const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height });
+      const pen = copy.getContext('2d');
+      pen.drawImage(canvas, 0, 0);
+      const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+      return Array.from({ length: data.length / 4 }, (_, n) => data.slice(4 * n, 4 * n + 3)).filter(([red, green, blue]) => red > 3 * green && red > 3 * blue && red > 90).length;
+    });
+  const apart = await reds();
+  assert.equal(await page.isHidden('#alert'), true);
+  await page.click('#log-tab');
+  const events = page.locator('.mark.collision');
+  assert.equal(await events.count(), 1);
+  assert.match(await events.textContent(), /link3\d and link1\d overlap$/);
+  await events.click();
+  await page.waitForFunction(() => !document.getElementById('alert').hidden);
+  assert.match(await page.textContent('#alert'), /^link3\d and link1\d overlap$/);
+  // Both turn in SLEEP.
+  assert.equal(await page.textContent('#now-line'), '5');
+  await page.waitForTimeout(500);
+  const overlapping = await reds();
+  assert.ok(overlapping > apart + 200, `${overlapping} red pixels after ${apart}`);
+  await page.click('#figures-tab');
+  const figures = await page.textContent('#figures');
+  assert.match(figures, /clearance link3\d and link1\d-\d+\.\d mm at least/);
+  assert.match(figures, /collisionsin \d+ cycles/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('blocks of a scene stand on the floor', async () => {
   const shown = [];
   for (const name of ['step', 'level']) {

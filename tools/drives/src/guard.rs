@@ -57,6 +57,7 @@ use crate::drives::{Drives, Failure, Policy, Problem, Settings};
 use heapless::Vec;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outputs, Sensors};
+use tip_runtime::plant::Gap;
 
 /// Time in which the servos confirm the state in which they are left, µs.
 pub const LEAVING_LIMIT: u64 = 3_000_000;
@@ -83,6 +84,13 @@ pub trait Host<P> {
 
     /// Returns what the operator asks for. It is called in each cycle of approaching and of leaving.
     fn request(&mut self) -> Option<Request>;
+
+    /// Returns the least distance of two parts of the robot at these joint angles, deg, leg by leg; `None` where nobody knows it.
+    /// A command of [`TorqueGuard::write_cycle`] to a posture in which two parts overlap is not sent, and stops the robot.
+    fn gap(&self, angles: &[f64]) -> Option<Gap> {
+        let _ = angles;
+        None
+    }
 }
 
 /// The state of a robot after a cycle of [`TorqueGuard::step`].
@@ -452,7 +460,9 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// The reason to stop the robot, or it is not held.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
         self.require_torque()?;
-        self.drives.write_cycle(commands, period)?;
+        let host = &self.host;
+        let gap = |angles: &[f64]| host.gap(angles);
+        self.drives.write_cycle(commands, period, gap)?;
         self.period = period;
         Ok(())
     }

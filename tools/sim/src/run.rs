@@ -151,9 +151,10 @@ impl Run {
             Event::Noise(_) => self.machine.hardware().can_have_noise(),
             _ => true,
         };
-        match can {
-            true => Ok(()),
-            false => Err(Refused::Massless(event.to_string())),
+        match (can, self.machine.hardware().is_bolted_down()) {
+            (true, _) => Ok(()),
+            (false, true) => Err(Refused::BoltedDown(event.to_string())),
+            (false, false) => Err(Refused::Massless(event.to_string())),
         }
     }
 

@@ -290,6 +290,7 @@ impl Recorder {
             time: run.time(),
             pose: motion.map(|motion| motion.pose),
             margin: motion.map(|motion| motion.margin),
+            gap: run.clearance().map(|clearance| clearance.now),
             ..Frame::default()
         };
         if let Some(limbs) = run.limbs() {
@@ -505,6 +506,12 @@ impl Recorder {
         self.note_state(cycle, Occurrence::Contacts(touch.collect()));
         for slip in self.slips.begun(&frame.slips) {
             self.log(cycle, slip);
+        }
+        let collides = frame.gap.filter(|gap| gap.distance < 0.0);
+        let collision = Occurrence::Collision(collides.map(|gap| gap.parts));
+        // A robot that has not collided has no end of a collision.
+        if collides.is_some() || self.states.contains_key(&collision.key()) {
+            self.note_state(cycle, collision);
         }
         let is_due = |last: &Frame| match self.frame_rate {
             FrameRate::Smooth => frame.time - last.time > APART - ROUNDING,

@@ -22,6 +22,7 @@ use tip_drives::simulated::{MemoryPort, SimulatedBus};
 use tip_runtime::console::Terminal;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
+use tip_runtime::plant::Gap;
 use tip_sim::Joints;
 use tipc::description::Description;
 use tipc::message::Lang;
@@ -96,7 +97,7 @@ impl Setup {
             .map_err(|error| Error::Failed(error.to_string()))?;
         let (is_simulated, period) = (mishaps.is_some(), self.period);
         let host = Attended {
-            operator: Operator::of_signals(interrupt::signal()),
+            operator: Operator::of_signals(interrupt::signal()).of_robot(&self),
             mishaps,
             stop: Arc::default(),
             period,
@@ -193,6 +194,10 @@ impl Host<AnyPort> for Attended {
             return Some(Request::EmergencyStop);
         }
         self.operator.request()
+    }
+
+    fn gap(&self, angles: &[f64]) -> Option<Gap> {
+        self.operator.gap(angles)
     }
 }
 
@@ -511,6 +516,10 @@ impl Connection {
                 min: own.limits.min,
                 max: own.limits.max,
             },
+            Problem::Collides(Gap {
+                parts: [one, other],
+                ..
+            }) => Driving::Collides { one, other },
             Problem::Torque => Driving::NoTorques { joint },
             Problem::Load(load) => {
                 let [period, read, write] =

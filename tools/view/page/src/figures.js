@@ -24,6 +24,7 @@ function rows(summary) {
     const many = kind === 'would-fall' && upright === count ? word('wouldFalls', count) : upright ? word('uprightFalls', count, upright) : String(count);
     add('falls', count ? many : word('none'), { value: count, better: -1, at: first });
   }
+  const { collisions } = summary;
   const peak = (key, one, better, most) => {
     if (!one) return;
     const text = `${word(most, `${fixed(one.value, key === 'contactForce' ? 2 : 1)} ${one.unit}`)}${one.limit == null ? '' : ` (${word('limit', one.limit)})`}`;
@@ -32,6 +33,8 @@ function rows(summary) {
     found.at(-1).at = one;
   };
   peak('margin', summary.margin, 1, 'atLeast');
+  peak('clearance', summary.clearance, 1, 'atLeast');
+  if (collisions) add('collisions', collisions.cycles ? word('inCycles', collisions.cycles) : word('none'), { value: collisions.cycles, better: -1, at: collisions.first });
   peak('slip', summary.slip, -1, 'atMost');
   peak('jointRate', summary.rate, -1, 'atMost');
   peak('jointTorque', summary.torque, -1, 'atMost');
@@ -98,7 +101,7 @@ function difference(row, same) {
   if (typeof row?.value !== 'number' || typeof same?.value !== 'number') return cell;
   const { key, unit, better } = row;
   const change = same.value - row.value;
-  const text = fixed(change, { cost: 2, falls: 0, duration: 3 }[key] ?? 1);
+  const text = fixed(change, { cost: 2, falls: 0, collisions: 0, duration: 3 }[key] ?? 1);
   cell.textContent = `${change > 0 && Number(text) !== 0 ? '+' : ''}${text} ${unit}`;
   if (!better || Number(text) === 0) return cell;
   const good = change * better > 0;

@@ -211,7 +211,9 @@ export class Recording {
     const slips = this.robot.legs.flatMap((_, leg) => of(`slip.${leg}`, 'slip', (distance, cycle) => ({ leg, distance: this.largestSlip(leg, cycle, distance) })));
     const stop = this.outcome.how === 'emergency' ? [{ cycle: this.cycles - 1, kind: 'fault' }] : [];
     const messages = of('message', 'message').filter(({ value }) => value !== '');
-    return [...messages, ...of('fall', 'fall'), ...slips, ...of('event', 'event'), ...stop].sort((one, other) => one.cycle - other.cycle);
+    // A collision is one event, whichever pair is the nearest in it.
+    const collisions = of('collision', 'collision').filter(({ value, cycle }) => value && !this.at('collision', cycle - 1));
+    return [...messages, ...of('fall', 'fall'), ...collisions, ...slips, ...of('event', 'event'), ...stop].sort((one, other) => one.cycle - other.cycle);
   }
 
   /** How far a foot that had slipped so far in a cycle slipped until it was lifted: mm. */

@@ -69,6 +69,7 @@
 //   flags       those that are up, with blanks between        modes       [[target, mode]]
 //   contacts    a number, whose lowest bit says whether the first foot or finger touches something
 //   fall        [count, margin, kind]: falls so far, mm       slip.N      how far a foot, from 0, had slipped when that was noticed (mm)
+//   collision   the two parts of the robot that overlap, such as ['link12', 'body'], or null where that is over
 //   event       what happened from outside, as a text
 
 /** Sends requests, and calls `refused(answer)` for each one that is refused. */

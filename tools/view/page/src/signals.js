@@ -15,6 +15,7 @@ export function signalGroups(recording) {
   const group = (key, title, unit, signals) => ({ key, title, unit, signals });
   const groups = [
     group('margin', 'margin', 'mm', columns([{ column: 'margin', name: () => word('margin') }])),
+    group('clearance', 'clearance', 'mm', columns([{ column: 'clearance', name: () => word('clearance') }])),
     group('body', 'position6', 'mm', columns(['x', 'y', 'z'].map((name, n) => ({ column: `pose.${n}`, name: () => name })))),
     group('turn', 'position6', '°', columns(['roll', 'pitch', 'yaw'].map((name, n) => ({ column: `pose.${n + 3}`, name: () => name })))),
     group('objects', 'objects', 'mm', columns(recording.scene.objects.map((_, n) => ({ column: `thing.${n}.1`, name: () => `${word('object', n + 1)} y` })))),

@@ -147,6 +147,7 @@ export class Stage {
     this.place = recording.between(time);
     this.posture = this.postureAt(this.place);
     this.solid.pose(this.posture);
+    this.solid.collide(recording.at('collision', recording.cycleAt(time)) ?? []);
     if (this.ghost) {
       const posture = this.other.posture(this.other.between(this.timeOf(time)));
       // Recordings of real robots have no pose. Then both robots are shown at the same place.

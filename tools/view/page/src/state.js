@@ -256,6 +256,8 @@ function showMargin({ runs }) {
 /** Returns the text about a fall or fault that has just happened. */
 function alarmAt({ recording, cycle, time }) {
   if (recording.isStoppedAt(cycle)) return word('fault');
+  const parts = recording.at('collision', cycle);
+  if (parts) return word('overlap', ...parts);
   const fall = recording.lastOf('fall', cycle);
   if (fall === undefined || time - recording.endOf(fall) >= ANNOUNCED) return '';
   const [, , kind] = recording.at('fall', cycle);
@@ -287,6 +289,7 @@ export function listMarks(player) {
     message: (text) => text,
     event: (text) => text,
     fall: ([, margin, kind]) => `${word(kind ?? 'fell')} (${fixed(margin, 1)} mm)`,
+    collision: (parts) => word('overlap', ...parts),
     slip: ({ leg, distance }) => `${word('slipped', legName(player.recording, leg))} (${fixed(distance, 1)} mm)`,
     fault: (_, { outcome }) => `${word('fault')}: ${outcome.error}`,
   };

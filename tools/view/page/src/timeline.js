@@ -4,7 +4,7 @@ import { clockTime, colour, element, make } from './dom.js';
 import { SPEEDS } from './player.js';
 import { label, whenSpoken, word } from './words.js';
 
-const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', fault: 'bad' };
+const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', collision: 'bad', fault: 'bad' };
 
 export function timeline(player) {
   const { recording } = player;
@@ -53,7 +53,7 @@ function drawMarks(canvas, { recording, lastPlace, marks }) {
   const first = recording.first ?? 0;
   const x = (cycle) => inset + ((width - 2 * inset) * (cycle - first)) / Math.max(lastPlace - first, 1);
   for (const { time, kind, run } of marks) {
-    const grave = kind === 'fall' || kind === 'fault';
+    const grave = MARKS[kind] === 'bad';
     pen.globalAlpha = run ? 0.45 : 1;
     pen.fillStyle = colour(MARKS[kind]);
     pen.fillRect(x(recording.countAt(time)) - (grave ? 1.5 : 0.75), grave ? 0 : height * 0.35, grave ? 3 : 1.5, height);
