@@ -32,8 +32,11 @@ pub struct Described {
 }
 
 /// A function from the angles of all joints (deg), leg by leg, to the least distance of two parts of a robot.
+type Measure = dyn Fn(&[f64]) -> Option<Gap> + Send + Sync;
+
+/// The distances between the parts of a robot, whatever its size.
 #[derive(Clone)]
-pub(crate) struct Distances(Arc<dyn Fn(&[f64]) -> Option<Gap> + Send + Sync>);
+pub(crate) struct Distances(Arc<Measure>);
 
 impl fmt::Debug for Distances {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
