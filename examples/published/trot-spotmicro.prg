@@ -11,10 +11,9 @@ A SpotMicro trots as sticks say: ahead, sideways, turning, or all together
 //
 // Tried in simulation with full sticks, friction 0.5; joints turn 360 deg/s at most:
 //                  ahead, side, turn              fastest joint    margin  slip     falls
-// with mass        145 mm/s, 56 mm/s, 39 deg/s    247 deg/s (J23)  -       2.6 mm   0
-//   5 deg uphill   126 mm/s, 55 mm/s, 37 deg/s    247 deg/s (J23)  -       8.2 mm   0
-// without mass     23 mm/s, 29 mm/s, 14 deg/s     290 deg/s (J23)  77 mm   25.5 mm  0
-//   5 deg uphill   8 mm/s, 15 mm/s, 2 deg/s       360 deg/s (J33)  58 mm   19.6 mm  0
+// with mass        144 mm/s, 56 mm/s, 39 deg/s    207 deg/s (J23)  -       2.5 mm   0
+//   5 deg uphill   128 mm/s, 52 mm/s, 38 deg/s    195 deg/s (J13)  -       8.4 mm   0
+// Commands of 270 deg/s at most, which its servos turn. Without mass a trot says nothing: all feet count as standing.
 
 DEFINE REST 5     // V of a stick that rests
 DEFINE RANGE 5    // V from there to either end
@@ -33,7 +32,7 @@ DEF_POS TICK, PLUS, WAY, MOVE, P
 
 SWING = 100  // ms that a foot is in the air
 STAND = 20   // ms that all feet stand between two swings
-LIFT = 15    // mm
+LIFT = 12    // mm
 DELAY = 400  // ms from rest to full speed, and back
 LEAN = 14    // mm that the feet stand behind their initial places: below the mass
 RAISE = 0    // mm that the body is above its initial height

@@ -51,6 +51,7 @@ pub(crate) use model_facts::ModelFacts;
 pub use robots::{generic, hand, titan8};
 
 use core::fmt;
+use core::str::FromStr;
 
 /// The set of commands that a robot understands (the letters T, H, G of the language reference).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -369,6 +370,22 @@ impl fmt::Display for Part {
     }
 }
 
+impl FromStr for Part {
+    type Err = ();
+
+    /// Reads a part as it is written.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let number = |digit: &u8| matches!(digit, b'1'..=b'9').then_some(digit - b'0');
+        match (text, text.strip_prefix("link").map(str::as_bytes)) {
+            ("body", _) => Ok(Part::Body),
+            (_, Some([leg, joint])) => number(leg)
+                .zip(number(joint))
+                .map_or(Err(()), |(leg, joint)| Ok(Part::Link(leg, joint))),
+            _ => Err(()),
+        }
+    }
+}
+
 /// Radius of a link, as a share of its length.
 #[cfg(feature = "control")]
 const SLENDER: f64 = 0.05;
@@ -394,9 +411,9 @@ impl Joint {
         }
     }
 
-    /// Returns the radius of the link, mm.
+    /// Returns the radius of the link, a capsule, where it may meet other links and the body, mm.
     #[cfg(feature = "control")]
-    pub(crate) fn thickness(&self) -> f64 {
+    pub fn thickness(&self) -> f64 {
         let [x, y, z] = self.link;
         self.radius
             .unwrap_or_else(|| SLENDER * libm::sqrt(x * x + y * y + z * z))

@@ -31,7 +31,7 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use self_collision::{Clearance, Gap, SelfCollision};
+pub use self_collision::{Clearance, CollisionCounter, Gap, SelfCollision};
 pub use walker::{
     Fall, Foot, Pose, ServoDynamics, SimulatedPlant, TrackingErrors, Travel, Unmodelled,
 };

@@ -263,6 +263,9 @@ codes! {
     /// A command that has no effect, since a later one of the same cycle stands.
     Overridden "W137" None, "another thread commands the same joint in this cycle, and its command stands",
         "別のスレッドが同じ周期に同じ関節を動かし、そちらの命令が有効になります";
+    /// A constant target in which two parts of the robot overlap.
+    HitsItself "W138" None, "at this target the robot hits itself",
+        "この目標では、ロボットの部分どうしがぶつかります";
 }
 
 impl Code {

@@ -8,12 +8,24 @@ import { fragmentOf, readFragment } from './link.js';
 /** Robots, examples and lessons of ../../contents.json, and their files by path; put here by ../assemble.mjs. */
 const { robots, examples, lessons, files } = CONTENTS;
 const told = (texts) => texts[spoken()];
+/** Whose page this is, by its address: pupils may share a browser. */
+const PUPIL = new URLSearchParams(location.search).get('pupil') ?? '';
+const SHELF = `tip-lessons ${PUPIL}`;
+
+/** What was written into lessons and examples, by choice: who comes back finds it again. */
+function readKept() {
+  try {
+    return new Map(JSON.parse(localStorage.getItem(SHELF) ?? '[]'));
+  } catch {
+    // A page may have no storage.
+    return new Map();
+  }
+}
 
 export class Tour {
   constructor(session) {
     this.session = session;
-    // What was written into lessons and examples, by choice: who comes back finds it again.
-    this.kept = new Map();
+    this.kept = readKept();
     session.listen((update) => {
       if (update.type === 'text') this.edited(update.text);
     });
@@ -25,7 +37,7 @@ export class Tour {
     element('lesson-after').addEventListener('click', () => this.open({ lesson: (this.lesson ?? 0) + 1 }));
     element('original').addEventListener('click', () => {
       const [kind, number] = this.choice.split(' ');
-      this.kept.delete(this.choice);
+      this.keep(undefined);
       this.open({ [kind]: Number(number) });
     });
     element('wanted').addEventListener('submit', (event) => event.preventDefault());
@@ -85,9 +97,20 @@ export class Tour {
   async edited(text) {
     if (text === this.text.replace(/\r\n?/g, '\n')) return;
     this.text = text;
-    if (this.choice !== 'own') this.kept.set(this.choice, text);
+    if (this.choice !== 'own') this.keep(text);
     this.sayLesson();
     await this.rememberText();
+  }
+
+  /** Keeps what is written into the lesson or example that is shown, or forgets it. */
+  keep(text) {
+    if (text === undefined) this.kept.delete(this.choice);
+    else this.kept.set(this.choice, text);
+    try {
+      localStorage.setItem(SHELF, JSON.stringify([...this.kept]));
+    } catch {
+      // Without storage it is kept as long as the page is open.
+    }
   }
 
   /** The address holds what has been written. */
@@ -103,7 +126,7 @@ export class Tour {
   remember(address) {
     this.address = address;
     try {
-      history.replaceState(null, '', address || location.pathname);
+      history.replaceState(null, '', address || location.pathname + location.search);
     } catch {
       // A page inside another one may have no address of its own.
     }
@@ -150,7 +173,7 @@ export class Tour {
     const text = lesson ? told(lesson.text) : [word('welcomeText')];
     element('lesson-text').replaceChildren(...text.map((textContent) => make('p', { textContent })));
     element('lesson-try').textContent = word('tryIt', lesson ? told(lesson.try) : word('welcomeTry'));
-    element('lesson-number').textContent = lesson ? word('of', this.lesson, lessons.length) : '';
+    element('lesson-number').textContent = [PUPIL, lesson ? word('of', this.lesson, lessons.length) : ''].filter(Boolean).join(' · ');
     element('lesson-before').disabled = this.lesson === 1;
   }
 }

@@ -120,6 +120,98 @@ test('sets a variable', async () => {
   await says(page, '#marks', 'set N=5000');
 });
 
+test('tells when the program has read a changed variable, and writes its value into the program', async () => {
+  const reads = await serve('reads.prg');
+  const { page, complaints, close } = await visit(browser, reads.address, { viewport: SMALL });
+  await page.click('#state-tab');
+  const row = page.locator('#variables tr:has(button:text-is("SPEED"))');
+  // The program has assigned it: there is nothing to write.
+  await row.locator('.from button:text-is("line 5")').waitFor();
+  await row.locator('td').first().click();
+  await page.keyboard.type('350');
+  await page.keyboard.press('Enter');
+  await says(page, '#message', 'at 350 mm/s');
+  await row.locator('.from button:text-is("not read yet")').waitFor();
+  assert.equal(await row.locator('.from button').first().isDisabled(), true);
+  await page.focus('#keys');
+  await page.keyboard.type('F');
+  await row.locator('.from button:text-is("read: line 11")').waitFor();
+  assert.equal(await value(page, 'N'), '350');
+  await row.locator('.from button').first().click();
+  await page.waitForFunction(() => document.querySelector('#now-line').textContent === '11');
+  // At a cycle before the change the cell has the value of then, though it has the focus.
+  await row.locator('td').first().focus();
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => [...document.querySelectorAll('#variables tr')].find((row) => row.textContent.startsWith('SPEED')).cells[1].textContent === '300');
+  await page.click('#newest');
+  await row.locator('.from button:text-is("write")').click();
+  await says(page, '#notice', 'Line 5 is now SPEED = 350. Run from start uses it.');
+  await row.locator('.from button:text-is("write")').waitFor({ state: 'hidden' });
+  await page.click('#source-tab');
+  assert.match(await editor(page).textContent(), /SPEED = 350 {3}\/\/ mm\/s/);
+  await page.click('#restart');
+  await page.waitForFunction(() => document.querySelector('#outcome').textContent === 'running');
+  await page.click('#state-tab');
+  await row.locator('.from button:text-is("line 5")').waitFor();
+  assert.equal(await value(page, 'SPEED'), '350');
+  assert.deepEqual(complaints, []);
+  await close();
+  assert.equal(await reads.end(), 130);
+});
+
+test('a variable looks as if it could be changed, and the lines of the program do not show through their numbers', async () => {
+  const { page } = view;
+  await page.click('#state-tab');
+  const style = await page.locator('#variables td.assignable').first().evaluate((cell) => {
+    const { cursor, textDecorationLine, textDecorationStyle } = getComputedStyle(cell);
+    return [cursor, textDecorationLine, textDecorationStyle, cell.tabIndex];
+  });
+  assert.deepEqual(style, ['text', 'underline', 'dashed', 0]);
+  await page.click('#source-tab');
+  const ground = await page.$eval('#editor', (editor) => getComputedStyle(editor.shadowRoot.querySelector('.cm-gutters')).backgroundColor);
+  assert.match(ground, /^rgb\(/, 'it is opaque');
+});
+
+test('runs from the start even if it was paused', async () => {
+  const { page } = view;
+  await rests(page);
+  await page.click('#restart');
+  await says(page, '#outcome', 'running');
+  await page.waitForFunction(() => Number(document.querySelector('#now-cycle').textContent.split(' ')[0]) > 5);
+});
+
+for (const [end, button] of [['EXIT', '#halt'], ['emergency stop', '#stop']]) {
+  test(`a run that was over before the page was opened runs again: ${end}`, async () => {
+    await view.page.click(button);
+    await says(view.page, '#outcome', end);
+    await view.close();
+    view = await visit(browser, server.address, { viewport: SMALL });
+    const { page } = view;
+    await says(page, '#outcome', end);
+    assert.equal(await page.getAttribute('#play', 'aria-label'), 'Run again');
+    assert.equal(await page.isDisabled('#play'), false);
+    await page.click('#play');
+    await says(page, '#outcome', 'running');
+    assert.equal(await page.getAttribute('#play', 'aria-label'), 'Pause');
+  });
+}
+
+test('the cursor of the plots stays in view when one looks at a cycle before those that they followed', async () => {
+  const { page, close } = await visit(browser, server.address, { viewport: { width: 1280, height: 900 } });
+  await page.selectOption('#speed', '10');
+  // Plots follow the last 30 s.
+  await page.waitForFunction(() => Number(document.querySelector('#scrub').max) > 2000, undefined, { timeout: 60_000 });
+  await page.$eval('#scrub', (slider) => {
+    slider.value = 50;
+    slider.dispatchEvent(new Event('input'));
+  });
+  await page.waitForFunction(() => {
+    const [head, plot] = ['.chart .u-over .playhead', '.chart .u-over'].map((part) => document.querySelector(part).getBoundingClientRect());
+    return head.width && head.left >= plot.left && head.left <= plot.left + plot.width * 0.2;
+  });
+  await close();
+});
+
 test('pushes a robot with mass', async () => {
   const massive = await serve('counts.prg', '--plant', 'dynamic');
   const { page, close } = await visit(browser, massive.address, { viewport: SMALL });

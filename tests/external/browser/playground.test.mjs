@@ -1,13 +1,11 @@
-// What a browser makes of the playground, as one file and from a server: PLAYGROUND is the folder that site/build has filled.
+// What a browser makes of the playground: SITE is the folder that site/build has filled.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import axe from 'axe-core';
 import { launch, visit } from './browsers.mjs';
-import { host } from './hosted.mjs';
 
-const folder = process.env.PLAYGROUND;
-const one = `file://${folder}/playground.html`;
+const one = `file://${process.env.SITE}/playground.html`;
 /** Counts its cycles; says which key was pressed, what VR1 is, and that it is to halt. */
 const COUNTS = readFileSync(`${import.meta.dirname}/counts.prg`, 'utf8');
 /** It counts once in so many cycles. */
@@ -89,6 +87,26 @@ describe('one file', () => {
     await says(page, '#file', '01-hello');
     assert.notEqual(await page.textContent('#title'), 'Mine');
     assert.equal((await page.locator('#editor .cm-line').all()).length, length);
+    await close();
+  });
+
+  test('keeps what each pupil writes, until it is discarded', async () => {
+    const { page, close } = await open(`${one}?pupil=Aiko#lesson=1`);
+    assert.equal(await page.textContent('#lesson-number'), 'Aiko · 1 of 11');
+    await write(page, '3.1\nBy Aiko\nMESSAGE mine\nEND\n');
+    const visited = async (pupil) => {
+      await page.goto('about:blank');
+      await page.goto(`${one}?pupil=${pupil}#lesson=1`);
+      await page.waitForSelector('html[data-ready]', { state: 'attached' });
+    };
+    await visited('Ken');
+    assert.notEqual(await page.textContent('#title'), 'By Aiko');
+    assert.equal(await page.isHidden('#original'), true);
+    await visited('Aiko');
+    await says(page, '#title', 'By Aiko');
+    await page.click('#original');
+    await visited('Aiko');
+    assert.notEqual(await page.textContent('#title'), 'By Aiko');
     await close();
   });
 
@@ -246,34 +264,4 @@ describe('one file', () => {
     assert.equal(await page.textContent('#lesson-title'), 'The support triangle');
     await close();
   });
-});
-
-describe('from a server', () => {
-  /** Opens it from a server that says so of modules; gives the page, and its address. */
-  async function openFrom(type) {
-    const { home, close } = await host(`${folder}/hosted`, type);
-    const opened = await open(home);
-    const end = async () => {
-      await opened.close();
-      close();
-    };
-    return { ...opened, home, end };
-  }
-
-  test('asks for its two files alone', async () => {
-    const { home, asked, complaints, end } = await openFrom('application/wasm');
-    assert.deepEqual(asked.sort(), [home, `${home}playground.wasm`]);
-    assert.deepEqual(complaints, []);
-    await end();
-  });
-
-  // A browser compiles as it comes what is called application/wasm, and nothing else: no parameters either.
-  for (const type of ['application/octet-stream', 'application/wasm; charset=utf-8', 'Application/WASM']) {
-    test(`runs where its module is called ${type}`, async () => {
-      const { page, complaints, end } = await openFrom(type);
-      await says(page, '#file', 'walk.prg');
-      assert.deepEqual(complaints, []);
-      await end();
-    });
-  }
 });

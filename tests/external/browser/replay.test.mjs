@@ -313,7 +313,9 @@ test('two runs are on one page: their plots, and the second robot as a ghost', a
   assert.ok(longer > ends);
   assert.equal(await page.getAttribute('#scrub', 'max'), String(longer));
   await page.keyboard.press('End');
-  await page.waitForFunction((last) => document.getElementById('now-cycle').textContent === `${last} / ${last}`, longer);
+  await page.waitForFunction((ends) => document.getElementById('now-cycle').textContent === ends, `${ends} / ${ends} | ${longer} / ${longer}`);
+  assert.equal(await page.textContent('#now-line'), '80 | 80');
+  assert.match(await page.textContent('#now-margin'), /^\d+ \| \d+ mm$/);
   await page.waitForFunction(() => [...document.querySelectorAll('.signal output')].every((one) => /^– \| -?[\d.]+$/.test(one.textContent)));
   assert.deepEqual(complaints, []);
   await view.close();
@@ -329,6 +331,99 @@ test('two runs that are compared both tell their ends, in both languages', async
     assert.ok(Number(first) < Number(second), `${first} ${second}`);
     await close();
   }
+});
+
+test('the figures of two runs have both moments, their difference, and which is better and why', async () => {
+  const view = await open(browser, `${pages}/programs.html`);
+  const { page, complaints } = view;
+  await page.click('#figures-tab');
+  const table = await page.$$eval('#figures tr', (rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText.replaceAll(/\s+/g, ' ').trim())));
+  assert.deepEqual(table[0], ['', 'walk', 'faster', 'difference']);
+  const figure = (name) => table.find(([first]) => first === name);
+  const [, one, other, change] = figure('speed').map((text) => Number(text.split(' ')[0]));
+  assert.ok(other > one && Math.abs(other - one - change) < 0.11, figure('speed').join());
+  assert.match(figure('speed')[3], /^\+[\d.]+ mm\/s better more is better$/);
+  assert.match(figure('rate')[3], /^\+[\d.]+ deg\/s worse less is better$/);
+  assert.equal(figure('falls')[3], '0');
+  // The moment of the second run is a moment of that run.
+  const [, , margin] = figure('margin');
+  const [, seconds, line] = margin.match(/ ([\d.]+) s line (\d+)$/);
+  await page.click('#figures tr:has(th:text-is("margin")) td:nth-child(3) button');
+  await page.waitForFunction((line) => document.getElementById('now-line').textContent.endsWith(`| ${line}`), line);
+  assert.ok(Math.abs(Number((await page.textContent('#now-time')).split(' ')[0]) - Number(seconds) - 0.02) < 0.001);
+  // Line 16 is all in which the programs differ.
+  assert.equal(await page.textContent('#changes-title'), 'The programs differ: − walk, + faster');
+  assert.deepEqual(await page.$$eval('#changes li', (rows) => rows.map((row) => row.textContent)), ['16−SPEED = 300   // mm/s', '16+SPEED = 350']);
+  await page.click('#changes .removed button');
+  assert.equal(await lit(page), 16);
+  assert.deepEqual(complaints, []);
+  await view.close();
+});
+
+test('two runs are aligned by time, or by the lines that they run', async () => {
+  const view = await open(browser, `${pages}/compare.html`);
+  const { page, complaints } = view;
+  await page.click('#log-tab');
+  const events = () => page.$$eval('.mark', (all) => all.map((one) => one.textContent));
+  const order = async () => (await events()).filter((text) => text.includes('stride')).map((text) => text.match(/s(walk|slow): stride (\d)/).slice(1).join(''));
+  // Both begin alike; the slow one comes later to each stride, but never later than the other one to the next.
+  const both = [1, 2, 3, 4, 5, 6].flatMap((n) => [`walk${n}`, `slow${n}`]);
+  assert.deepEqual(await order(), both);
+  const last = Number(await page.getAttribute('#scrub', 'max'));
+  const stride = page.locator('.mark:has-text("slow: stride 6")');
+  await stride.click();
+  const message = () => page.textContent('#message');
+  assert.match(await message(), /^stride 6 of 6 at 300/);
+  const cycles = async () => (await page.textContent('#now-cycle')).match(/\d+(?= \/)/g).map(Number);
+  let [own, others] = await cycles();
+  assert.equal(own, others);
+  await page.click('#plot-align');
+  assert.equal(await page.getAttribute('#plot-align', 'aria-pressed'), 'true');
+  // Now the slider covers the first run, and the same line begins the stride in both.
+  assert.ok(Number(await page.getAttribute('#scrub', 'max')) < last - 300);
+  await stride.click();
+  [own, others] = await cycles();
+  assert.ok(others > own + 250, `${own} ${others}`);
+  const [line, same] = (await page.textContent('#now-line')).split(' | ');
+  assert.equal(line, same);
+  assert.deepEqual(complaints, []);
+  await view.close();
+});
+
+test('plots of two runs are over each other, or show their difference', async () => {
+  const view = await open(browser, `${pages}/drives.html`);
+  const { page, complaints } = view;
+  const drawn = () => page.$$eval('.chart .uplot canvas', (all) => all.map((canvas) => canvas.toDataURL()).join());
+  const over = await drawn();
+  assert.match(await page.locator('.chart:has(.uplot) figcaption').first().textContent(), /strong: .*, faint: /);
+  await page.click('#plot-difference');
+  assert.match(await page.locator('.chart:has(.uplot) figcaption').first().textContent(), / minus /);
+  assert.notEqual(await drawn(), over);
+  await page.click('#plot-difference');
+  assert.equal(await drawn(), over);
+  assert.deepEqual(complaints, []);
+  await view.close();
+});
+
+test('the joints of many legs have a strip for each leg, and a robot without a pose stands on the floor', async () => {
+  const view = await open(browser, `${pages}/real.html`);
+  const { page, complaints } = view;
+  const strips = await page.$$eval('.chart:has(.uplot)', (all) => all.map((chart) => [...chart.querySelectorAll('.signal')].map((signal) => signal.textContent.slice(0, 3)).join(' ')));
+  assert.deepEqual(strips, [1, 2, 3, 4, 5, 6].map((leg) => [1, 2, 3].map((joint) => `J${leg}${joint}`).join(' ')));
+  // The readings name what each run knows.
+  assert.match(await page.textContent('#now-margin'), /^– \| \d+ mm$/);
+  // At the same moment the robot of the simulation alone has the same height above the floor.
+  await page.goto(`file://${pages}/real.html#cycle=0`);
+  const real = await picture(page);
+  const simulated = await open(browser, `${pages}/hexapod.html`, {}, '#cycle=0');
+  await simulated.page.click('#show-forces');
+  await simulated.page.click('#show-support');
+  const pixels = differences(real, await picture(simulated.page));
+  await page.click('#show-support');
+  assert.ok(pixels < 4000, `${pixels} pixels`);
+  assert.deepEqual(complaints, []);
+  await simulated.close();
+  await view.close();
 });
 
 test('a run of drives, which do not tell where the body is, is compared at one place', async () => {
@@ -451,6 +546,38 @@ test('forces inside an object show through it', async () => {
   // What stands out of the object is about half of it.
   const pixels = differences(shown, await picture(page));
   assert.ok(pixels > 95, `${pixels} pixels`);
+  await close();
+});
+
+test('links that overlap are red, and the event leads to the line', async () => {
+  const { page, complaints, close } = await open(browser, `${pages}/crosses.html`, { colorScheme: 'light' }, '#cycle=0');
+  const reds = () =>
+    page.$eval('#canvas', (canvas) => {
+      const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height });
+      const pen = copy.getContext('2d');
+      pen.drawImage(canvas, 0, 0);
+      const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+      return Array.from({ length: data.length / 4 }, (_, n) => data.slice(4 * n, 4 * n + 3)).filter(([red, green, blue]) => red > 3 * green && red > 3 * blue && red > 90).length;
+    });
+  const apart = await reds();
+  assert.equal(await page.isHidden('#alert'), true);
+  await page.click('#log-tab');
+  const events = page.locator('.mark.collision');
+  assert.equal(await events.count(), 1);
+  assert.match(await events.textContent(), /link3\d and link1\d overlap$/);
+  await events.click();
+  await page.waitForFunction(() => !document.getElementById('alert').hidden);
+  assert.match(await page.textContent('#alert'), /^link3\d and link1\d overlap$/);
+  // Both turn in SLEEP.
+  assert.equal(await page.textContent('#now-line'), '5');
+  await page.waitForTimeout(500);
+  const overlapping = await reds();
+  assert.ok(overlapping > apart + 200, `${overlapping} red pixels after ${apart}`);
+  await page.click('#figures-tab');
+  const figures = await page.textContent('#figures');
+  assert.match(figures, /clearance link3\d and link1\d-\d+\.\d mm at least/);
+  assert.match(figures, /collisionsin \d+ cycles/);
+  assert.deepEqual(complaints, []);
   await close();
 });
 

@@ -1,4 +1,4 @@
-// Programs that `tip serve` serves, each a copy in a folder of its own.
+// Programs and tables that `tip serve` serves.
 import { spawn } from 'node:child_process';
 import { copyFileSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,6 +9,11 @@ import { createInterface } from 'node:readline';
 export async function serve(program, ...options) {
   const file = join(mkdtempSync(join(tmpdir(), 'tip-serve-')), basename(program));
   copyFileSync(program, file);
+  return { file, ...(await serveFile(file, ...options)) };
+}
+
+/** Serves a file, a program or a table, where it is. */
+export async function serveFile(file, ...options) {
   const child = spawn(process.env.TIP, ['serve', '--quiet', file, ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
   let said = '';
   child.stderr.on('data', (data) => {
@@ -21,5 +26,5 @@ export async function serve(program, ...options) {
     child.kill('SIGINT');
     return over;
   };
-  return { file, address, end, pid: child.pid, said: () => said };
+  return { address, end, pid: child.pid, said: () => said };
 }

@@ -79,6 +79,36 @@ for (const width of [1440, 390]) {
       assert.equal(await page.$eval('#sy option:checked', (option) => option.textContent), 'forward [mm]');
     });
 
+    test('a heading sorts, upwards, downwards, and no more', async () => {
+      const cases = () => page.$$eval('tbody tr', (rows) => rows.map((row) => Number(row.cells[0].textContent.replace(/\D+/, ''))));
+      const heading = page.locator('thead button:text-is("forward [mm]")');
+      const orders = [];
+      for (const sort of ['ascending', 'descending', null]) {
+        await heading.click();
+        await page.waitForFunction((sort) => [...document.querySelectorAll('thead th')].find((cell) => cell.textContent === 'forward [mm]').getAttribute('aria-sort') === sort, sort);
+        orders.push(await cases());
+      }
+      assert.deepEqual(orders, [[4, 1, 2, 3], [3, 2, 1, 4], [4, 3, 1, 2]]);
+    });
+
+    test('changes its language and its scheme', async () => {
+      const ground = () => page.$eval('body', (body) => getComputedStyle(body).backgroundColor);
+      const light = await ground();
+      await page.click('#theme');
+      assert.notEqual(await ground(), light);
+      await page.click('#theme');
+      await page.click('#language');
+      assert.equal(await page.textContent('#count'), '4回の実行');
+      assert.equal(await page.getAttribute('html', 'lang'), 'ja');
+      assert.match(await page.textContent('#note'), /^★ forward \(大\), falls=0で最良/);
+      await page.click('#language');
+    });
+
+    test('without a server, a run has the command that replays it', async () => {
+      await page.click('tbody tr:nth-child(3)');
+      assert.equal(await page.textContent('#chosen'), 'replay: tip view runs.csv --case 1');
+    });
+
     test('only the plot scrolls sideways, not the page', async () => {
       const [page1, plot] = await page.evaluate(() => [document.documentElement, document.querySelector('.sideways')].map((part) => part.scrollWidth > part.clientWidth));
       assert.deepEqual([page1, plot], [false, width < 1000]);

@@ -43,6 +43,13 @@ pub struct Gap {
     pub parts: [Part; 2],
 }
 
+impl Gap {
+    /// Returns the distance (mm) between two parts.
+    pub const fn new(distance: f64, parts: [Part; 2]) -> Self {
+        Gap { distance, parts }
+    }
+}
+
 impl fmt::Display for Gap {
     /// Names both parts, such as `link12 and body`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -95,6 +102,22 @@ impl<const L: usize, const J: usize> SelfCollision<L, J> {
             *lines = place(leg, angles);
         }
         nearest(self.body.as_ref(), self.capsules.iter(), &lines)
+    }
+
+    /// Returns true if two links, by leg and joint from 0, are compared.
+    pub fn compares(&self, (n, j): (usize, usize), (m, i): (usize, usize)) -> bool {
+        let meets = |(n, j): (usize, usize), other| {
+            let own: Option<&Capsules<J>> = self.capsules.get(n);
+            own.is_some_and(|own| own.meets(j, other))
+        };
+        meets((n, j), (m, i)) || meets((m, i), (n, j))
+    }
+
+    /// Returns the least distance at joint angles in one row, leg by leg; `None` also if there are others than the joints have.
+    pub fn clearance_of_row(&self, angles: &[f64]) -> Option<Gap> {
+        let (legs, rest) = angles.as_chunks::<J>();
+        let legs: &[[f64; J]; L] = legs.try_into().ok().filter(|_| rest.is_empty())?;
+        self.clearance(legs)
     }
 }
 
@@ -308,18 +331,24 @@ pub(super) fn nearest<'a, const J: usize>(
     least
 }
 
-/// Counts the collisions of a simulated robot.
+/// Counts the collisions of a robot.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CollisionCounter {
+pub struct CollisionCounter {
     /// `None` if no pair is compared, or nothing has been measured yet.
     pub(super) clearance: Option<Clearance>,
 }
 
 impl CollisionCounter {
-    pub(super) const NONE: Self = CollisionCounter { clearance: None };
+    /// A counter that has measured nothing.
+    pub const NONE: Self = CollisionCounter { clearance: None };
+
+    /// Returns the distances so far; `None` if no pair is compared, or nothing has been measured yet.
+    pub const fn clearance(&self) -> Option<Clearance> {
+        self.clearance
+    }
 
     /// Starts with the least distance in the initial posture.
-    pub(super) fn begin(&mut self, gap: Option<Gap>) {
+    pub fn begin(&mut self, gap: Option<Gap>) {
         self.clearance = gap.map(|gap| Clearance {
             now: gap,
             least: gap,
@@ -329,7 +358,7 @@ impl CollisionCounter {
     }
 
     /// Records the least distance at the end of a cycle.
-    pub(super) fn update(&mut self, gap: Option<Gap>, cycle: u64) {
+    pub fn update(&mut self, gap: Option<Gap>, cycle: u64) {
         let (Some(clearance), Some(gap)) = (&mut self.clearance, gap) else {
             return;
         };
@@ -565,6 +594,34 @@ mod tests {
             !super::capsules(&model)[2].meets(1, (0, 1)),
             "they overlap at first"
         );
+    }
+
+    #[test]
+    fn thicker_links_are_nearer_by_their_radii() {
+        // The thighs cross, whose lines are parallel to the floor and at the same height: their distance is that of the radii.
+        let mut model = titan8::MODEL;
+        let mut crossed = model.legs.map(|leg| leg.initial);
+        (crossed[0][0], crossed[2][0]) = (-60.0, 60.0);
+        let gap = SelfCollision::new(&model).clearance(&crossed).unwrap();
+        // 5 % of 240 mm, twice.
+        assert!((gap.distance + 24.0).abs() < 1e-9, "{gap:?}");
+        for leg in &mut model.legs {
+            leg.joints[1].radius = Some(3.0);
+        }
+        let gap = SelfCollision::new(&model).clearance(&crossed).unwrap();
+        assert!((gap.distance + 6.0).abs() < 1e-9, "{gap:?}");
+    }
+
+    #[test]
+    fn a_row_of_angles_is_that_of_the_legs() {
+        let bodies = SelfCollision::new(&titan8::MODEL);
+        let angles = titan8::MODEL.legs.map(|leg| leg.initial);
+        let row = angles.as_flattened();
+        assert_eq!(bodies.clearance_of_row(row), bodies.clearance(&angles));
+        assert_eq!(bodies.clearance_of_row(&row[1..]), None);
+        assert!(bodies.compares((0, 1), (2, 1)) && bodies.compares((2, 1), (0, 1)));
+        assert!(!bodies.compares((0, 0), (2, 0)), "they are hips");
+        assert!(!bodies.compares((4, 0), (0, 1)), "it has four legs");
     }
 
     #[test]

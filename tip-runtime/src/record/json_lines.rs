@@ -3,7 +3,7 @@
 use super::{Cycle, Ending, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
-use crate::plant::{Clearance, Motion, Pose};
+use crate::plant::{Clearance, Gap, Motion, Pose};
 use crate::program::{End, Program};
 use core::fmt::{self, Display, Write};
 use std::string::String;
@@ -293,8 +293,8 @@ pub struct MotionRecord<'a> {
 }
 
 impl MotionRecord<'_> {
-    /// Writes the keys `pose`, `angles`, `loads`, `clearance`, `margin` and `falls`, each after a comma; then `zmp`, and
-    /// `collisions`, `tips`, `slides`, `crossings`, `hurries` and `strays` once they are above 0.
+    /// Writes the keys `pose`, `angles`, `loads`, `clearance`, `nearest`, `margin` and `falls`, each after a comma; then `zmp`,
+    /// and `collisions`, `tips`, `slides`, `crossings`, `hurries` and `strays` once they are above 0.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
         if let Some(pose) = &self.pose {
             let [x, y, z] = pose.position;
@@ -316,7 +316,12 @@ impl MotionRecord<'_> {
             numbers(out, self.loads)?;
         }
         if let Some(clearance) = &self.clearance {
-            write!(out, r#","clearance":{}"#, Number(clearance.now.distance))?;
+            let Gap {
+                distance,
+                parts: [one, other],
+            } = clearance.now;
+            write!(out, r#","clearance":{}"#, Number(distance))?;
+            write!(out, r#","nearest":["{one}","{other}"]"#)?;
             counts(out, [("collisions", clearance.collisions)])?;
         }
         if let Some(Motion { margin, falls, .. }) = &self.motion {

@@ -49,6 +49,8 @@ pub struct Bus {
     pub start: f64,
     /// True if the torque is switched off at the end of a program, and in an emergency.
     pub relaxes: [bool; 2],
+    /// True if a command to a posture in which two parts of the robot overlap stops it.
+    pub stops_collisions: bool,
     /// True if a page drives the robot only while its operator holds a button.
     pub hold_to_drive: bool,
     /// Times of silence of the page that drives, s: until the robot pauses, until the program is asked to halt, and until the
@@ -161,6 +163,8 @@ fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<B
     for (relaxes, key) in relaxes.iter_mut().zip(["at_end", "in_emergency"]) {
         *relaxes = bus.has(key) && bus.choice(key, &policies, found)?;
     }
+    let reactions = [("stop", true), ("warn", false)];
+    let stops_collisions = !bus.has("collisions") || bus.choice("collisions", &reactions, found)?;
     let silence = whole(bus, "silence", 0.0..=1000.0, 5, found);
     let temperature = bus.number("temperature", Sign::Positive, found);
     let voltage = bus.range("voltage", Sign::Positive, found);
@@ -181,6 +185,7 @@ fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<B
         lag: lag.unwrap_or([25.0, 0.5]),
         start,
         relaxes,
+        stops_collisions,
         hold_to_drive: hold_to_drive.unwrap_or(true),
         driver_silence: driver_silence.unwrap_or([0.3, 3.0, 10.0]),
         drives,

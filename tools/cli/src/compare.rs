@@ -5,11 +5,11 @@ use crate::choices::Format;
 use crate::error::Error;
 use crate::message::{Comparing, Using};
 use crate::record::Reading;
+use crate::report::fixed;
 use crate::run::SummaryFormat;
 use crate::{Action, Status, output, report};
 use clap::Args;
 use serde::Serialize;
-use similar::TextDiff;
 use std::path::PathBuf;
 use tip_runtime::printable::Printable;
 use tip_sim::Summary;
@@ -112,7 +112,7 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
     }
     output::print(match arguments.format {
         SummaryFormat::Text => {
-            let diff = program_diff(&runs);
+            let diff = runs[0].program_diff(&runs[1]);
             let gap = if diff.is_empty() { "" } else { "\n" };
             table(&runs, &rows, lang) + gap + &Printable::lines(diff).to_string()
         }
@@ -130,16 +130,6 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
         status = Status::Fell;
     }
     Ok(status)
-}
-
-/// Returns the unified diff of the two programs, without context; empty if they are equal.
-fn program_diff(runs: &[Recording; 2]) -> String {
-    let [one, other] = runs.each_ref().map(|run| &run.script);
-    let diff = TextDiff::from_lines(&*one.text, &*other.text);
-    let mut diff = diff.unified_diff();
-    let names = [one, other].map(|script| Printable::line(&script.name).to_string());
-    let [from, to] = &names;
-    diff.context_radius(0).header(from, to).to_string()
 }
 
 /// The direction in which a figure is better.
@@ -235,15 +225,6 @@ fn decimals(name: &str) -> usize {
     }
 }
 
-/// Returns a number without −0.
-fn number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.trim_start_matches(['-', '0', '.']).is_empty() {
-        true => text.trim_start_matches('-').to_owned(),
-        false => text,
-    }
-}
-
 /// Returns the table for people.
 fn table(runs: &[Recording; 2], rows: &[Row], lang: Lang) -> String {
     let [one, other] = runs
@@ -255,12 +236,12 @@ fn table(runs: &[Recording; 2], rows: &[Row], lang: Lang) -> String {
         let decimals = decimals(row.name);
         let shown = |value: Option<f64>| {
             value.map_or("-".to_owned(), |value| {
-                format!("{} {}", number(value, decimals), row.unit)
+                format!("{} {}", fixed(value, decimals), row.unit)
                     .trim_end()
                     .to_owned()
             })
         };
-        let change = row.difference.map(|change| number(change, decimals));
+        let change = row.difference.map(|change| fixed(change, decimals));
         let is_same = change
             .as_ref()
             .is_none_or(|text| text.trim_matches(['0', '.']).is_empty());
@@ -340,7 +321,7 @@ fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
     let report = Report {
         runs: ended.collect(),
         figures: rows,
-        diff: program_diff(runs),
+        diff: runs[0].program_diff(&runs[1]),
     };
     // No value of it can fail to be written.
     serde_json::to_string(&report).unwrap_or_default() + "\n"

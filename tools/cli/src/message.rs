@@ -113,6 +113,12 @@ tipc::message_table! {
     RecordError { text: String }
         "`{text}` is no error that a motion can have: give 0.2 to 45 deg",
         "`{text}` は誤差として使えません。0.2から45度を指定してください";
+    ServeTrace
+        "--trace of a served run needs a file: standard output has the address of the page",
+        "配信中の実行の --trace にはファイルを指定してください。標準出力にはページのアドレスを書きます";
+    RecordPlace { text: String }
+        "`{text}` is no place in a program: give the number of a line from 3 on, or `end`",
+        "`{text}` はプログラムの位置として使えません。3以上の行番号か `end` を指定してください";
     NotAnArgument { reason: Message }
         "{reason}",
         "{reason}";
@@ -204,6 +210,12 @@ tipc::message_table! {
     ServeOthers
         "anyone with this address can run, edit and save the program",
         "このアドレスを知る人は誰でも、プログラムの実行・編集・保存ができます";
+    ServeRuns
+        "anyone with this address can see the table and replay its runs",
+        "このアドレスを知る人は誰でも、表の閲覧と実行の再生ができます";
+    ServeTable
+        "a table is not run on hardware: leave out --hardware",
+        "表は実機では実行できません。--hardware を外してください";
     ServeDrives
         "anyone with this address and a way to this machine can drive the robot, stop it, and run other programs on it; what they send is not encrypted: use a network of your own",
         "このアドレスを知り、このマシンに接続できる人は誰でも、ロボットの操縦・停止と別のプログラムの実行ができます。通信は暗号化されません。自分のネットワークで使ってください";
@@ -748,6 +760,9 @@ tipc::message_table! {
     OutOfReach
         "feet do not reach their positions in the gait: set another `initial`, for example with `tip robot import --stand`, or wider limits",
         "足先が歩容の位置に届きません。`tip robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
+    TooSlow { speed: f64 }
+        "servos that turn {speed} deg/s are too slow for it: look at `speed` of the drives, or choose another gait",
+        "{speed} deg/sのサーボでは遅すぎます。`[[drive]]`の`speed`を確かめるか、別の歩容を選んでください";
     Falls
         "the simulated robot falls at every speed that was tried: set another `initial`, for example with `tip robot import --stand`",
         "試したどの速さでも、シミュレーションのロボットが倒れます。`tip robot import --stand` などで `initial` を変えてください";
@@ -1012,9 +1027,6 @@ tipc::message_table! {
     ServeStarts
         "keep clear; the button of the page, held for a second, or RETURN here starts the robot; RETURN is the emergency stop then",
         "ロボットから離れてください。ページのボタンを1秒間押し続けるか、ここでRETURNを押すと開始します。動作中のRETURNは非常停止です";
-    ServeLeft { joints: String }
-        "these servos are perhaps not as they were to be left: {joints}. Switch their power off",
-        "次のサーボは指定の状態になっていない可能性があります: {joints}。電源を切ってください";
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";
@@ -1127,8 +1139,8 @@ tipc::message_table! {
         "hold the robot: its joints are free. RETURN begins",
         "ロボットを支えてください。関節は自由に動きます。RETURNで始めます";
     RecordHow
-        "SPACE adds the pose, m its mirror image; d deletes the last pose; q, ESC and Ctrl-C end and write",
-        "SPACEで姿勢を加え、mで左右を反転した姿勢を加え、dで最後の姿勢を消します。q、ESC、Ctrl-Cで終わり、書き込みます";
+        "SPACE adds the pose, m its mirror image; < and > choose, n names, d deletes, g goes there, p through all; q, ESC and Ctrl-C end and write",
+        "SPACEで姿勢を、mで左右を反転した姿勢を加えます。< と > で選び、nで名前を付け、dで消し、gでその姿勢へ、pで全姿勢を順に動きます。q、ESC、Ctrl-Cで終わり、書き込みます";
     RecordMotionHow
         "SPACE begins, another SPACE ends and writes, as q, ESC and Ctrl-C do",
         "SPACEで始め、もう一度SPACEを押すと終わり、書き込みます(q、ESC、Ctrl-Cでも同じ)";
@@ -1142,8 +1154,26 @@ tipc::message_table! {
         "pose {number} is deleted",
         "姿勢{number}を消しました";
     NoPose
-        "there is no pose to delete",
-        "消す姿勢がありません";
+        "there is no pose yet",
+        "姿勢はまだありません";
+    PoseChosen { number: usize, name: String }
+        "pose {number} is chosen: {name}",
+        "姿勢{number}を選びました: {name}";
+    PoseNameAsked { number: usize }
+        "name of pose {number}",
+        "姿勢{number}の名前";
+    NotAPoseName { name: String }
+        "`{name}` cannot name a pose: use a letter, then letters, digits and _, 29 characters at most, and no name that the program has",
+        "`{name}` は姿勢の名前に使えません。英字で始まる29文字以内の英数字と _ で、プログラムにまだない名前にしてください";
+    PoseGoes { speed: f64 }
+        "the torque is switched on, and the joints move with {speed} deg/s; RETURN is the emergency stop",
+        "トルクを入れ、関節を{speed}度/sで動かします。RETURNは非常停止です";
+    PoseReached
+        "the robot holds the pose. Support it; r switches the torque off",
+        "姿勢を保持しています。ロボットを支えてください。rでトルクを切ります";
+    RecordLimp
+        "the joints are free",
+        "関節は自由に動きます";
     NoMirror { leg: String }
         "no mirror image: leg {leg} has no leg on the other side whose joints mirror its own",
         "反転できません: 脚{leg}と左右対称な関節を持つ脚がありません";
@@ -1154,8 +1184,14 @@ tipc::message_table! {
         "nothing was recorded; {file} is not written",
         "何も記録されていません。{file}は書き込みません";
     RecordTaken { file: Text }
-        "{file} exists: --force replaces it, -o takes another name",
-        "{file} はすでにあります。置き換えるには --force を付けるか、-oで別の名前を指定してください";
+        "{file} exists: --at end adds to it, --force replaces it, -o takes another name",
+        "{file} はすでにあります。--at end で加えるか、--force で置き換えるか、-oで別の名前を指定してください";
+    RecordEdition { file: Text }
+        "{file} is a program of edition 3.1, without the words of a taught motion: `tip migrate --to 3.2` rewrites it",
+        "{file} は3.1版のプログラムで、教示した動作に必要な語がありません。`tip migrate --to 3.2` で書き換えてください";
+    RecordBeyond { file: Text, line: u32, end: u32 }
+        "{file} has no place at line {line}: its END is in line {end}",
+        "{file} の{line}行目には加えられません。ENDは{end}行目です";
     RecordFast { joint: String, speed: String, most: f64 }
         "{joint} was turned at up to {speed} deg/s, and its drive turns at {most} at most: it will lag behind there",
         "{joint}は最大{speed}度/sで動かされましたが、駆動の上限は{most}度/sです。そこでは遅れます";
@@ -1239,6 +1275,9 @@ tipc::message_table! {
     NotHeld
         "the robot was left, because this command was stuck",
         "コマンドが停止したままだったため、ロボットの制御を終えました";
+    Collides { one: Part, other: Part }
+        "{one} and {other} would overlap: the command was not sent. Parts that may touch are listed in `may_touch`; with `collisions = \"warn\"` in [bus] the robot goes on",
+        "{one}と{other}が重なるため、指令を送信しませんでした。触れてもよい部分は `may_touch` に書きます。[bus]の `collisions = \"warn\"` なら警告だけで続けます";
     NoTorques { joint: String }
         "{joint} is commanded a torque, and position servos take angles only",
         "{joint}にトルクが指令されましたが、位置サーボは角度しか受け付けません";

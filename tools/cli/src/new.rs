@@ -113,16 +113,16 @@ fn new(arguments: &New) -> Result<Status, Error> {
         return Err(failed(Making::GaitNeedsEdition));
     }
     let refused = Error::refused(arguments.output_options);
-    let found = arguments.robot.template(arguments.gait).map_err(refused)?;
+    let found = arguments
+        .robot
+        .template(arguments.gait, arguments.hardware)
+        .map_err(refused)?;
     let template = found.map_err(failed)?;
-    let mut template = template.in_edition(arguments.edition).map_err(failed)?;
-    let mut hardware = arguments.hardware.then_some(Drives::Own);
-    if let Some(text) = template.description.as_mut().filter(|_| hardware.is_some())
-        && let Some(with_bus) = with_bus(text)
-    {
-        *text = with_bus;
-        hardware = Some(Drives::Bus);
-    }
+    let template = template.in_edition(arguments.edition).map_err(failed)?;
+    let hardware = arguments.hardware.then_some(match template.is_on_bus {
+        true => Drives::Bus,
+        false => Drives::Own,
+    });
     let files = files::crate_files(place, &template, &origin, hardware);
     files::write_crate(place, &files).map_err(failed)?;
     output::print(made(place, &template, &files, &origin, lang))?;
@@ -242,12 +242,12 @@ impl Motion {
         }
     }
 
-    /// Returns a gait for a robot that can walk; else a motion that bends one leg after the other.
+    /// Returns a gait for a robot that can walk, with servos of a speed (deg/s); else a motion that bends one leg after the other.
     ///
     /// # Errors
     /// The robot cannot walk by the gait that was asked for.
-    fn of(robot: &Robot, kind: Option<gait::Kind>) -> Result<Self, Making> {
-        match (gait::find(robot, kind), kind) {
+    fn of(robot: &Robot, kind: Option<gait::Kind>, speed: f64) -> Result<Self, Making> {
+        match (gait::find(robot, kind, speed), kind) {
             (Ok(gait), _) => Ok(Motion::steered(&gait)),
             (Err(reason), Some(kind)) => Err(Making::NoSuchGait {
                 robot: robot.name().to_owned(),
@@ -335,6 +335,8 @@ struct Template {
     robot: String,
     /// Its description, unless the runtime has the robot.
     description: Option<Vec<u8>>,
+    /// True if the description has a bus for the real robot.
+    is_on_bus: bool,
     legs: usize,
     /// Joints of each leg.
     joints: usize,
@@ -362,35 +364,36 @@ impl Template {
 type Found = Result<Template, Making>;
 
 impl Choice {
-    /// Returns the parts for this robot.
+    /// Returns the parts for this robot, with a bus if it is to be real and can be on one.
     ///
     /// # Errors
     /// The description has errors.
-    fn template(&self, gait: Option<gait::Kind>) -> Result<Found, Box<Loaded>> {
-        let steered = |robot: &Robot| Motion::of(robot, gait);
+    fn template(&self, gait: Option<gait::Kind>, is_real: bool) -> Result<Found, Box<Loaded>> {
+        let steered = |robot: &Robot, speed: f64| Motion::of(robot, gait, speed);
+        let described = |name: &str, text: &[u8]| described(name, text, is_real, steered);
         match self {
             Choice::Hexapod => {
                 let tripod = || Motion::walk(include_str!("../templates/motions/tripod.prg"));
-                let motion = |robot: &Robot| match gait {
-                    Some(_) => steered(robot),
+                let motion = |robot: &Robot, speed: f64| match gait {
+                    Some(_) => steered(robot, speed),
                     None => Ok(tripod()),
                 };
-                described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), motion)
+                self::described(HEXAPOD_NAME, HEXAPOD.as_bytes(), is_real, motion)
             }
             Choice::Robot(RobotChoice::File(path)) => {
                 let (name, bytes) = input::description_text(path)?;
-                described(&name, bytes, steered)
+                described(&name, &bytes)
             }
             Choice::Robot(RobotChoice::Published(robot)) => {
-                described(&robot.file(), robot.text.as_bytes().to_vec(), steered)
+                described(&robot.file(), robot.text.as_bytes())
             }
             Choice::Robot(RobotChoice::Named(name)) => Ok(match (name, gait) {
                 (tipc::Robot::Hand, gait) => named(*name, &hand::MODEL, |robot| match gait {
-                    Some(_) => steered(robot),
+                    Some(_) => steered(robot, f64::INFINITY),
                     None => Ok(Motion::grasp()),
                 }),
                 (_, gait) => named(*name, &titan8::MODEL, |robot| match gait {
-                    Some(_) => steered(robot),
+                    Some(_) => steered(robot, f64::INFINITY),
                     None => Ok(Motion::walk(include_str!("../templates/motions/walk.prg"))),
                 }),
             }),
@@ -408,23 +411,35 @@ fn named<const L: usize, const J: usize>(
         motion: motion(&Robot::of(model))?,
         robot: name.name().to_owned(),
         description: None,
+        is_on_bus: false,
         legs: L,
         joints: J,
     })
 }
 
-/// Returns the parts for a described robot.
+/// Returns the parts for a described robot. Its motion depends on the speed of its slowest drive, deg/s; infinite without drives.
 fn described(
     name: &str,
-    description: Vec<u8>,
-    motion: impl Fn(&Robot) -> Result<Motion, Making>,
+    text: &[u8],
+    is_real: bool,
+    motion: impl Fn(&Robot, f64) -> Result<Motion, Making>,
 ) -> Result<Found, Box<Loaded>> {
-    let robot = Robot::described(&description::parse(name, &description)?);
+    // What is wrong with it concerns the text without a bus of ours.
+    description::parse(name, text)?;
+    let with_bus = is_real.then(|| with_bus(text)).flatten();
+    let is_on_bus = with_bus.is_some();
+    let text = with_bus.unwrap_or_else(|| text.to_owned());
+    let description = description::parse(name, &text)?;
+    let drives = description.bus().map_or(&[][..], |bus| &bus.drives);
+    let speeds = drives.iter().map(|drive| drive.speed);
+    let robot = Robot::described(&description);
     let anatomy = robot.anatomy();
-    Ok(motion(&robot).map(|motion| Template {
+    let motion = motion(&robot, speeds.fold(f64::INFINITY, f64::min));
+    Ok(motion.map(|motion| Template {
         motion,
         robot: robot.name().to_owned(),
-        description: Some(description),
+        description: Some(text),
+        is_on_bus,
         legs: anatomy.legs.len(),
         joints: anatomy.joints,
     }))

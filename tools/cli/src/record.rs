@@ -268,7 +268,7 @@ impl View {
             }
             return Ok(Status::Success);
         }
-        let (page, runs) = sweep::page(file, lang)?;
+        let (page, runs) = sweep::page(file, false, lang)?;
         output::replace(&out, &page)?;
         if !self.quiet {
             let page = Sweeping::Page {

@@ -280,6 +280,15 @@ pub(super) fn plural(count: usize, what: &str) -> String {
     format!("{count} {what}{end}")
 }
 
+/// Formats a number with so many decimals, without −0.
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(amount) if amount.bytes().all(|byte| matches!(byte, b'0' | b'.')) => amount.to_owned(),
+        _ => text,
+    }
+}
+
 /// The option `--deny`.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Deny {
@@ -366,5 +375,24 @@ impl Deny {
             complain(&format!("error: {name}: {warnings}: {codes}\n"));
         }
         count > 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_that_is_shown_as_zero_has_no_sign() {
+        let shown = [
+            (-0.04, 1),
+            (-0.0, 0),
+            (-0.4, 0),
+            (-0.005, 2),
+            (-0.06, 1),
+            (-100.0, 1),
+        ];
+        let texts = shown.map(|(value, decimals)| fixed(value, decimals));
+        assert_eq!(texts, ["0.0", "0", "0", "-0.01", "-0.1", "-100.0"]);
     }
 }

@@ -122,10 +122,9 @@ fn summary(robot: &Robot) -> String {
         inverse.name()
     );
     for (number, foot) in (1..).zip(feet) {
-        // Adding 0 turns −0 into 0.
-        let [x, y, z] = foot.map(|at| at + 0.0);
+        let [x, y, z] = foot.map(|at| report::fixed(at, 1));
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
+        let _ = writeln!(text, "  F{number}  {x} {y} {z}");
     }
     text
 }

@@ -2,7 +2,7 @@
 
 mod console;
 mod emergency;
-mod files;
+pub(super) mod files;
 mod refusal;
 mod summary;
 pub(super) mod trial;
@@ -325,7 +325,11 @@ impl Job<'_> {
         };
         // The trace comes next: it changes nothing before the end, and if it cannot be written, no log is touched.
         let trace = match (&self.arguments.trace, &begun) {
-            (Some(path), Some(_)) => Some(Trace::begin(path, self.arguments)?),
+            (Some(path), Some(_)) => Some(Trace::begin(
+                path,
+                self.arguments.trace_state,
+                self.arguments.trace_motion,
+            )?),
             _ => None,
         };
         Ok((begun, trace))
@@ -389,7 +393,7 @@ impl Job<'_> {
             if let Some(screen) = run.console_mut::<Screen>() {
                 screen.clear();
             }
-            connection.finish()
+            connection.finish().is_stopped
         });
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {

@@ -1,5 +1,6 @@
 //! `tip serve`: serves a page with a live run to any number of viewers. The session belongs to one thread (`hub`); each connection
-//! (`connections`) has its own, and so has the control cycle of a robot on servos (`hardware`).
+//! (`connections`) has its own, and so has the control cycle of a robot on servos (`hardware`). Of a table of runs it serves the page,
+//! and the replays of the runs that are asked for.
 
 mod connections;
 mod controls;
@@ -14,14 +15,15 @@ use crate::loader::Subject;
 use crate::message::Using;
 use crate::setup::RobotChoice;
 use crate::watch::Watch;
-use crate::{Status, input, output, report, sticks};
+use crate::{Status, input, interrupt, output, report, sticks, sweep};
 use clap::Args;
-use connections::Guard;
+use connections::{Content, Guard, Table};
 use hub::{Hub, HubEvent, HubSender};
 use std::io::{self, IsTerminal};
 use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 use std::{fs, thread};
 use tip_sim::Robot;
 use tip_view::live::{Host, Session, Setup};
@@ -35,6 +37,7 @@ use tipc::message::{Lang, Reading};
   tip serve walk.prg --paused --events '10:key F'
   tip serve walk.prg --listen 0.0.0.0:8000    for other machines too
   tip serve walk.prg --hardware robot.toml    drives a real robot from the page
+  tip serve runs.csv                          the table of a sweep, whose runs open in the page
 
 The page runs the program on the simulated robot in real time, or slower or faster. Keys, knobs,
 halt and emergency stop reach the program. The run can be paused, stepped forward and back, and continued
@@ -80,6 +83,12 @@ pub(super) struct Serve {
     #[arg(long, value_name = "PORT", requires = "hardware")]
     port: Option<String>,
 
+    /// Write the trace of the run, with its motion
+    ///
+    /// Each run from the start replaces it. `tip view` shows it beside a simulated run
+    #[arg(long, value_name = "OUT.jsonl", requires = "hardware")]
+    trace: Option<PathBuf>,
+
     /// Use SCHED_FIFO and lock the memory
     #[arg(long, requires = "hardware", hide_short_help = true)]
     fifo: bool,
@@ -91,6 +100,10 @@ pub(super) struct Serve {
 
 impl Action for Serve {
     fn complete(&mut self) -> Result<(), Error> {
+        // A table names its program and robot itself.
+        if sweep::is_table(&self.run.file) {
+            return Ok(());
+        }
         if let Some(file) = &self.hardware {
             self.run.source.robot = Some(RobotChoice::File(file.clone()));
         }
@@ -108,6 +121,9 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
     if input::is_stream(path) {
         let lang = arguments.run.source.output_options.lang();
         return Err(Error::usage(Using::ServeInput, lang));
+    }
+    if sweep::is_table(path) {
+        return table(arguments, path);
     }
     match &arguments.hardware {
         Some(hardware) => {
@@ -129,6 +145,28 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
             Ok(Status::Interrupted)
         }
     }
+}
+
+/// Time after which the server of a table notices Ctrl-C.
+const TICK: Duration = Duration::from_millis(50);
+
+/// Serves the page of a table, and its runs, until Ctrl-C.
+fn table(arguments: &Serve, path: &Path) -> Result<Status, Error> {
+    let lang = arguments.run.source.output_options.lang();
+    if arguments.hardware.is_some() {
+        return Err(Error::usage(Using::ServeTable, lang));
+    }
+    // A table that has no page is refused before its address is printed.
+    sweep::page(path, true, lang)?;
+    interrupt::catch();
+    let place = Place::bind(arguments)?;
+    place.announce(arguments, Using::ServeRuns)?;
+    let table = Table::new(path.to_owned(), lang);
+    connections::accept(place.listener, place.guard, Content::Table(table));
+    while !interrupt::is_requested() {
+        thread::sleep(TICK);
+    }
+    Ok(Status::Interrupted)
 }
 
 /// The place where the page is reached.
@@ -161,21 +199,27 @@ impl Place {
 
     /// Prints the address, and lets viewers in.
     fn open(self, arguments: &Serve, sender: HubSender) -> Result<(), Error> {
+        self.announce(arguments, Using::ServeOthers)?;
+        watch(&arguments.run.file, sender.clone())?;
+        connections::accept(self.listener, self.guard, Content::Run(sender));
+        Ok(())
+    }
+
+    /// Prints the address, and what others can do who know it.
+    fn announce(&self, arguments: &Serve, others: Using) -> Result<(), Error> {
         let lang = arguments.run.source.output_options.lang();
         output::print(format!("{}\n", self.guard.address()))?;
         if !self.guard.is_local() {
             match arguments.hardware {
                 Some(_) => report::say(Using::ServeDrives, lang),
                 None if arguments.quiet => {}
-                None => report::say(Using::ServeOthers, lang),
+                None => report::say(others, lang),
             }
         }
         if !arguments.quiet {
             self.invite();
             report::say(Using::ServeEnds, lang);
         }
-        watch(&arguments.run.file, sender.clone())?;
-        connections::accept(self.listener, self.guard, sender);
         Ok(())
     }
 }

@@ -552,8 +552,8 @@ fn specified(table: &Path, lang: Lang) -> Result<(tip_sweep::Sweep, Ranking), Er
     Ok((sweep, ranking))
 }
 
-/// Returns the page of a table, and the number of its runs.
-pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
+/// Returns the page of a table, and the number of its runs. A server of the page replays runs for it.
+pub(super) fn page(file: &Path, is_served: bool, lang: Lang) -> Result<(String, u64), Error> {
     let (sweep, ranking) = specified(file, lang)?;
     let mut front = Front::new(ranking);
     let (mut runs, mut every) = (0, 1);
@@ -591,6 +591,7 @@ pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
         ranking: front.ranking(),
         command: format!("tip view {}", quoted(&name)),
         every,
+        is_served,
     };
     Ok((tip_view::sweep_page(&name, &table), runs))
 }

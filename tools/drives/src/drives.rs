@@ -11,6 +11,7 @@ use core::fmt;
 use heapless::Vec;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::model::Range;
+use tip_runtime::plant::Gap;
 
 /// A reason why the drives stop the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,8 @@ pub enum Problem {
     Lags(f64),
     /// The joint is at this angle, outside of its limits, deg.
     Outside(f64),
+    /// These two parts of the robot would overlap; the command was not sent.
+    Collides(Gap),
     /// The joint is commanded a torque.
     Torque,
     /// The bus cannot carry the requests of a cycle.
@@ -68,6 +71,7 @@ impl Problem {
             Problem::TimedOut(_) => "was stopped by its watchdog",
             Problem::Lags(_) => "does not follow its command",
             Problem::Outside(_) => "is outside of its limits",
+            Problem::Collides(_) => "the robot would hit itself",
             Problem::Torque => "takes no torques",
             Problem::Load(_) => "the bus is too slow",
             Problem::Period(_) => "the sampling time is too long",
@@ -197,6 +201,8 @@ struct State {
     age: u32,
     /// Number of requests since then.
     unanswered: u32,
+    /// Answers that were missing or damaged.
+    missing: u64,
     /// Error byte of the answers, and another one that came once.
     error: u8,
     other_error: Option<u8>,
@@ -308,6 +314,7 @@ impl<P: Port> Drives<P> {
             is_late: false,
             age: 0,
             unanswered: 0,
+            missing: 0,
             error: 0,
             other_error: None,
             off: 0,
@@ -389,6 +396,11 @@ impl<P: Port> Drives<P> {
     /// Returns the number of cycles since the last answer of a joint's servo that was believed; 0 if it is of this cycle.
     pub fn age(&self, joint: usize) -> Option<u32> {
         self.joints.get(joint).map(|state| state.age)
+    }
+
+    /// Returns the number of answers of a joint's servo that were missing or damaged.
+    pub fn missing(&self, joint: usize) -> Option<u64> {
+        self.joints.get(joint).map(|state| state.missing)
     }
 
     /// Finds every servo, checks its model and its settings, takes over the delay of its answers, and reads its position. Nothing
@@ -666,7 +678,7 @@ impl<P: Port> Drives<P> {
             // As many as there are joints.
             let _ = commands.push(JointCommand::at(next));
         }
-        self.write_cycle(&commands, period)?;
+        self.write_cycle(&commands, period, |_| None)?;
         Ok(left)
     }
 
@@ -691,14 +703,16 @@ impl<P: Port> Drives<P> {
         self.check(self.period / 1000.0)
     }
 
-    /// Sends a command to each joint, at the end of a cycle of `period` ms.
+    /// Sends a command to each joint, at the end of a cycle of `period` ms. `gap` returns the least distance of two parts of the
+    /// robot at the angles to be sent, if it is known.
     ///
     /// # Errors
-    /// The port is gone, a joint is commanded a torque, or the bus or the watchdogs cannot have this sampling time.
+    /// The port is gone, a joint is commanded a torque, two parts would overlap, or the bus or the watchdogs cannot have this sampling time.
     pub(crate) fn write_cycle(
         &mut self,
         commands: &[JointCommand],
         period: f64,
+        gap: impl FnOnce(&[f64]) -> Option<Gap>,
     ) -> Result<(), Failure> {
         let begin = self.bus.now();
         if period != self.period {
@@ -711,11 +725,13 @@ impl<P: Port> Drives<P> {
                 checked.inspect_err(|_| self.period = former)?;
             }
         }
+        let mut before: Vec<f64, MAX_SERVOS> = Vec::new();
         for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
             let JointCommand::Angle { angle, .. } = *command else {
                 return self.fail(Some(number), Problem::Torque);
             };
             let state = &mut self.joints[number];
+            before.push(state.sent).ok();
             let Range { min, max } = state.joint.limits;
             let inside = angle.clamp(min, max);
             self.counts.clipped += u64::from((inside - angle).abs() > 1e-6);
@@ -725,6 +741,13 @@ impl<P: Port> Drives<P> {
             if !next.is_nan() {
                 state.sent = next;
             }
+        }
+        let angles: Vec<f64, MAX_SERVOS> = self.joints.iter().map(|state| state.sent).collect();
+        if let Some(gap) = gap(&angles).filter(|gap| gap.distance < 0.0) {
+            for (state, before) in self.joints.iter_mut().zip(before) {
+                state.sent = before;
+            }
+            return self.fail(None, Problem::Collides(gap));
         }
         self.send_goals()?;
         let busy = self.bus.now() - begin + self.reading;
@@ -915,7 +938,10 @@ impl<P: Port> Drives<P> {
             state.unanswered = state.unanswered.saturating_add(1);
             match reading {
                 Some(_) => self.counts.implausible += u64::from(!taken),
-                None => self.counts.missing += 1,
+                None => {
+                    state.missing += 1;
+                    self.counts.missing += 1;
+                }
             }
             // A goal switches the torque of AX, MX and STS servos on again after a reset; their limits are not the robot's then.
             if let Some(reading) = reading.as_ref().filter(|reading| reading.is_on.is_some()) {

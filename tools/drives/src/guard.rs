@@ -57,6 +57,7 @@ use crate::drives::{Drives, Failure, Policy, Problem, Settings};
 use heapless::Vec;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outputs, Sensors};
+use tip_runtime::plant::Gap;
 
 /// Time in which the servos confirm the state in which they are left, µs.
 pub const LEAVING_LIMIT: u64 = 3_000_000;
@@ -83,6 +84,13 @@ pub trait Host<P> {
 
     /// Returns what the operator asks for. It is called in each cycle of approaching and of leaving.
     fn request(&mut self) -> Option<Request>;
+
+    /// Returns the least distance of two parts of the robot at these joint angles, deg, leg by leg; `None` where nobody knows it.
+    /// A command of [`TorqueGuard::write_cycle`] to a posture in which two parts overlap is not sent, and stops the robot.
+    fn gap(&self, angles: &[f64]) -> Option<Gap> {
+        let _ = angles;
+        None
+    }
 }
 
 /// The state of a robot after a cycle of [`TorqueGuard::step`].
@@ -258,13 +266,26 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// # Errors
     /// Any failure that would stop a run; the robot was left as in an emergency.
     pub fn approach(&mut self, to: &[f64], speed: f64) -> Result<Step, Failure> {
-        let mut step = self.hold()?;
-        let mut settled = 0;
-        while !matches!(step, Step::Left(_)) && settled < SETTLING {
-            step = self.step(to, speed)?;
-            settled += u32::from(step == Step::Arrived);
+        match self.hold()? {
+            Step::Left(request) => Ok(Step::Left(request)),
+            Step::Moving | Step::Arrived => self.reach(to, speed),
         }
-        Ok(step)
+    }
+
+    /// Moves every joint of a robot that [holds](Self::hold) to an angle, deg, at this many deg/s at most, and gives the servos time to
+    /// get there.
+    ///
+    /// # Errors
+    /// Any failure that would stop a run; the robot was left as in an emergency.
+    pub fn reach(&mut self, to: &[f64], speed: f64) -> Result<Step, Failure> {
+        let mut settled = 0;
+        loop {
+            let step = self.step(to, speed)?;
+            settled += u32::from(step == Step::Arrived);
+            if settled == SETTLING || matches!(step, Step::Left(_)) {
+                return Ok(step);
+            }
+        }
     }
 
     /// Makes [`leave`](Self::leave) treat the robot as in an emergency.
@@ -439,7 +460,9 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// The reason to stop the robot, or it is not held.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
         self.require_torque()?;
-        self.drives.write_cycle(commands, period)?;
+        let host = &self.host;
+        let gap = |angles: &[f64]| host.gap(angles);
+        self.drives.write_cycle(commands, period, gap)?;
         self.period = period;
         Ok(())
     }

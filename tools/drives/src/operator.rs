@@ -19,7 +19,7 @@
 //! ```
 
 use crate::bus::Port;
-use crate::described::Described;
+use crate::described::{Described, Distances};
 use crate::drives::Policy;
 use crate::guard::{Host, Outcome, Request, TorqueGuard};
 use crate::port::{AnyPort, SIMULATED};
@@ -38,6 +38,7 @@ use std::time::Duration;
 use std::vec::Vec;
 use std::{format, io};
 use tip_runtime::console::{Console, Terminal};
+use tip_runtime::plant::Gap;
 
 /// Bytes of keys.
 const RETURN: u8 = 0x0D;
@@ -66,7 +67,8 @@ pub fn open(
         }
     };
     let drives = robot.drives(opened)?;
-    Ok(TorqueGuard::new(drives, Operator::new()?, robot.period))
+    let operator = Operator::new()?.of_robot(robot);
+    Ok(TorqueGuard::new(drives, operator, robot.period))
 }
 
 /// Leaves a robot in order, or as in an emergency if it was stopped. The keys are read meanwhile.
@@ -192,6 +194,8 @@ pub struct Operator {
     last: Arc<AtomicUsize>,
     /// Number of the first signal that was noticed.
     signal: Option<u8>,
+    /// The distances between the parts of the robot, if it must not hit itself.
+    distances: Option<Distances>,
 }
 
 /// The most keys that are kept.
@@ -223,7 +227,15 @@ impl Operator {
             typed: VecDeque::new(),
             last,
             signal: None,
+            distances: None,
         }
+    }
+
+    /// Makes commands that would make this robot hit itself stop it, unless its file says otherwise.
+    #[must_use]
+    pub fn of_robot(mut self, robot: &Described) -> Self {
+        self.distances = robot.distances();
+        self
     }
 
     /// Gives the keyboard away, such as to the console of a machine.
@@ -285,5 +297,9 @@ impl Host<AnyPort> for Operator {
             }
         }
         request.or(self.signal().map(|_| Request::End))
+    }
+
+    fn gap(&self, angles: &[f64]) -> Option<Gap> {
+        self.distances.as_ref()?.at(angles)
     }
 }

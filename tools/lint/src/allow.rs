@@ -181,7 +181,11 @@ fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
 const fn is_found_later(code: Code) -> bool {
     matches!(
         code,
-        Code::OutOfReach | Code::PathLeavesReach | Code::Unanswered | Code::OtherRobot
+        Code::OutOfReach
+            | Code::PathLeavesReach
+            | Code::HitsItself
+            | Code::Unanswered
+            | Code::OtherRobot
     )
 }
 

@@ -40,6 +40,8 @@ struct Table<'a> {
     to_come: &'a [LogEntry],
     /// The cycle after that of the last row.
     from: u64,
+    /// The distances between the parts of the robot are known.
+    has_gap: bool,
 }
 
 impl<'a> Table<'a> {
@@ -49,6 +51,7 @@ impl<'a> Table<'a> {
             program: ProgramState::new(recording),
             to_come: &recording.log,
             from: 0,
+            has_gap: recording.frames.iter().any(|frame| frame.gap.is_some()),
         }
     }
 
@@ -76,6 +79,9 @@ impl<'a> Table<'a> {
                 ],
                 "",
             );
+        }
+        if self.has_gap {
+            add(&["clearance_mm", "nearest"], "");
         }
         let joints = || {
             let legs = (1..).zip(&robot.legs);
@@ -125,6 +131,10 @@ impl<'a> Table<'a> {
         ];
         self.from = cycle + 1;
         row.extend(self.body(frame));
+        if self.has_gap {
+            let distance = frame.gap.map(|gap| measured(gap.distance));
+            row.extend([distance.unwrap_or_default(), some(frame.gap)]);
+        }
         row.extend(frame.angles.iter().flatten().map(|angle| measured(*angle)));
         row.extend(
             frame

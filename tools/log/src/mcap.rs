@@ -80,6 +80,7 @@ const STATE: Topic = topic("/tip/state", "tip.State", Encoding::Own);
 const VARIABLES: Topic = topic("/tip/variables", "tip.Variables", Encoding::Own);
 const BODY: Topic = topic("/tip/body", "tip.Body", Encoding::Own);
 const MARGIN: Topic = topic("/tip/margin", "tip.Margin", Encoding::Own);
+const CLEARANCE: Topic = topic("/tip/clearance", "tip.Clearance", Encoding::Own);
 const LOADS: Topic = topic("/tip/loads", "tip.Loads", Encoding::Own);
 const SLIPS: Topic = topic("/tip/slips", "tip.Slips", Encoding::Own);
 
@@ -134,6 +135,9 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         }
         if let Some(margin) = messages::margin(time, frame, self.program.falls) {
             self.send(&MARGIN, time, &margin)?;
+        }
+        if let Some(clearance) = messages::clearance(time, frame) {
+            self.send(&CLEARANCE, time, &clearance)?;
         }
         for (topic, values) in [(&LOADS, &frame.loads), (&SLIPS, &frame.slips)] {
             if let Some(message) = messages::of_feet(time, values) {
@@ -230,6 +234,9 @@ impl<'a, W: Write + Seek> Log<'a, W> {
                 Occurrence::Fall { kind, .. } => {
                     let kind = kind.unwrap_or(FallKind::Fell);
                     self.say(cycle, ERROR, &kind.to_string())?;
+                }
+                Occurrence::Collision(Some([one, other])) => {
+                    self.say(cycle, ERROR, &format!("{one} and {other} overlap"))?;
                 }
                 _ => {}
             }

@@ -601,6 +601,8 @@ pub enum Refused {
     Variable(String, VariableError),
     /// This event cannot happen to the robot: it has no mass.
     Massless(String),
+    /// This event cannot happen to the robot: it is bolted down.
+    BoltedDown(String),
     /// The text is not an event.
     Text(EventError),
 }
@@ -616,6 +618,9 @@ impl Refused {
             },
             Refused::Variable(name, error) => return refused_variable(name, *error, lang),
             Refused::Massless(event) => Debugging::Massless {
+                event: event.clone().into(),
+            },
+            Refused::BoltedDown(event) => Debugging::BoltedDown {
                 event: event.clone().into(),
             },
         };

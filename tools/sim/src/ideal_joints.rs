@@ -69,6 +69,10 @@ impl DynHardware for IdealJoints {
         self
     }
 
+    fn is_bolted_down(&self) -> bool {
+        self.soles == 0
+    }
+
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
         let measured = into.angles.iter_mut().zip(into.torques);
         for (joint, (angle, torque)) in self.joints.iter().zip(measured) {

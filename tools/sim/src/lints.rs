@@ -1,5 +1,5 @@
-//! Lints of a program that need its robot: constant targets that it cannot reach (W122, W127), and SPECIAL commands that it
-//! does not answer (W123).
+//! Lints of a program that need its robot: constant targets that it cannot reach (W122, W127) or where it hits itself (W138),
+//! and SPECIAL commands that it does not answer (W123).
 //!
 //! A target is checked if all of its numbers are absolute constants. A program with EMG_OFF is not checked: there a
 //! joint stops at its limit, and the program goes on. A straight path to a target within reach, and a target of
@@ -7,6 +7,8 @@
 //! jump.
 //!
 //! SPECIAL is not checked on a robot whose owner has native code that may answer it.
+
+mod self_collision;
 
 use crate::Robot;
 use crate::message::Linting;
@@ -24,7 +26,8 @@ use tipc::source::Span;
 use tipc::syntax::{OperandKind, Statement, StatementKind};
 
 impl Robot {
-    /// Adds the warnings that need the robot: targets out of reach, and SPECIALs that nothing answers.
+    /// Adds the warnings that need the robot: targets out of reach or where it hits itself, and SPECIALs that nothing
+    /// answers.
     ///
     /// ```
     /// use tip_sim::Robot;
@@ -39,6 +42,7 @@ impl Robot {
     /// ```
     pub fn warn(&self, loaded: &mut Loaded) {
         warn_of_targets(loaded, self);
+        self_collision::warn(loaded, self);
         warn_of_specials(loaded, self);
     }
 }

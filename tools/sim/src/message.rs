@@ -7,6 +7,7 @@
 //! ```
 
 use tip_runtime::command::Target;
+use tip_runtime::model::Part;
 use tipc::message::Text;
 use tipc::message::list::{Faults, List};
 
@@ -142,6 +143,12 @@ tipc::message_table! {
     ChooseNearer
         "choose a place nearer to the base of the leg; positions are mm in the robot's frame",
         "脚の付け根に近い位置にしてください。位置はロボット座標系で、単位はmmです";
+    Overlaps { one: Part, other: Part, by: f64 }
+        "{one} and {other} overlap by {by} mm there",
+        "そこでは{one}と{other}が{by} mm重なります";
+    ChooseApart
+        "choose a target farther away; parts that may touch are listed in `may_touch` of the robot's description",
+        "もっと離れた目標にしてください。触れてもよい部分は、ロボット記述の `may_touch` に書きます";
     SlidesNotThere
         "the slider does not go there",
         "スライダはそこまで動きません";
@@ -221,6 +228,9 @@ tipc::message_table! {
     Massless { event: Text }
         "'{event}' is for walking robots with mass: --plant dynamic",
         "'{event}' は質量のある歩行ロボット用です(--plant dynamic)";
+    BoltedDown { event: Text }
+        "'{event}' is for walking robots: this one is bolted down",
+        "'{event}' は歩行ロボット用です。このロボットは固定されています";
 }
 
 tipc::message_table! {

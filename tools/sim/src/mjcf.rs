@@ -56,6 +56,9 @@ pub fn export(robot: &Robot) -> String {
             initial_state.objects.is_some(),
         );
     }
+    if initial_state.pose.is_some() {
+        exclude(&mut parts, robot, &anatomy);
+    }
     if let Some(slider) = &anatomy.slider {
         add_slider(&mut parts, slider, &anatomy, robot.scene());
     }
@@ -91,14 +94,15 @@ const HEAD: &str = r#"<!-- Made by `tip robot export`. m, rad, kg, N·m; z up, x
      of that name what these carry (N). The keyframe `initial` is the initial posture. -->
 "#;
 
-/// Common settings of the plants: steps of 0.5 ms, friction of the touched surface, no contact of
-/// the robot with itself. MuJoCo does not allow links without mass or thickness.
+/// Common settings of the plants: steps of 0.5 ms, friction of the touched surface, links of legs that push each other apart.
+/// MuJoCo does not allow links without mass or thickness.
 const SETTINGS: &str = r#"  <compiler angle="radian" autolimits="true" boundmass="1e-9" boundinertia="1e-12"/>
   <option timestep="0.0005" integrator="implicitfast" cone="elliptic" impratio="10" gravity="0 0 -9.80665"/>
   <default>
     <geom condim="3" friction="0 0 0" solref="0.004 1" contype="1" conaffinity="0" rgba="0.35 0.4 0.45 1"/>
     <pair condim="3" solref="0.004 1"/>
     <default class="ground"><geom contype="0" conaffinity="1" rgba="0.7 0.7 0.7 1"/></default>
+    <default class="capsule"><geom contype="2" conaffinity="2" friction="0.5 0 0" group="3"/></default>
     <default class="drawn"><geom contype="0" conaffinity="0" group="2" rgba="0.9 0.55 0.15 1"/></default>
     <default class="tip_shape"><geom contype="0" conaffinity="0" group="2" rgba="0.9 0.55 0.15 1"/></default>
   </default>
@@ -292,6 +296,17 @@ fn add_leg(
         let touching = if is_last { &foot } else { &link };
         let shapes = shapes.of(number, count);
         carried(parts, joint, radius, shapes, touching, hand);
+        let length = frame::length(metres(joint.link));
+        if length >= SHORTEST {
+            let touches = match anatomy.body {
+                Some(_) => "",
+                None => " contype=\"0\" conaffinity=\"0\"",
+            };
+            let (end, radius) = (vector(metres(joint.link)), joint.thickness() / 1000.0);
+            parts.world.add(&format!(
+                "geom name=\"{link}_capsule\" class=\"capsule\" type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{radius}\"{touches}"
+            ));
+        }
         at = joint.link;
     }
     let end = vector(metres(at));
@@ -372,6 +387,23 @@ fn carried(
     };
     world.add(&format!("geom name=\"{touching}\" {shape}"));
     draw(parts, shapes);
+}
+
+/// Excludes the pairs of links that do not push each other in the plant with mass: those of one leg, and those that are not compared.
+fn exclude(parts: &mut Parts, robot: &Robot, anatomy: &RobotDescription) {
+    let links: Vec<(usize, usize)> = (anatomy.legs.iter().enumerate())
+        .flat_map(|(n, leg)| (0..leg.joints.len()).map(move |j| (n, j)))
+        .collect();
+    let name = |(n, j): (usize, usize)| frame::link(n as u8 + 1, j as u8 + 1);
+    for (count, one) in links.iter().enumerate() {
+        for other in &links[..count] {
+            if one.0 == other.0 || !robot.compares(*one, *other) {
+                let (one, other) = (name(*one), name(*other));
+                let pair = format!("exclude body1=\"{other}\" body2=\"{one}\"");
+                parts.pairs.add(&pair);
+            }
+        }
+    }
 }
 
 /// Formats xx, yy, zz, xy, xz and yz of a tensor.

@@ -4,15 +4,16 @@ use crate::dyn_machine::{DynMachine, NativeCommands};
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
+use std::sync::Arc;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::{
-    Chain, Frame, LegPoint, first_beyond_limits, frames, inverse, nearest, search,
+    Chain, Frame, LegPoint, first_beyond_limits, frames, inverse, inverse_from, nearest, search,
 };
 use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{
     Body, Family, Forces, Inverse, Joint, Leg, Model, Point, Range, Slider, Standards,
 };
-use tip_runtime::plant::{DynamicPlant, Scene, SimulatedPlant, Simulation};
+use tip_runtime::plant::{DynamicPlant, Gap, Scene, SelfCollision, SimulatedPlant, Simulation};
 
 /// The parts of a robot, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,12 +73,23 @@ impl Limb {
     }
 }
 
+/// A function from the angles of all joints (deg), leg by leg, to the least distance of two parts of a robot.
+pub(crate) type Distances = Arc<dyn Fn(&[f64]) -> Option<Gap> + Send + Sync>;
+
 /// A model of any size, without logic of its own.
 pub(crate) trait DynModel: Send + Sync {
     fn anatomy(&self) -> RobotDescription;
     /// Returns the miss of a PTP or PTP_ANGLE to these numbers, if it does not reach them. `limits` are the working
     /// limits of all joints, leg by leg, or empty for those of the model.
     fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss>;
+    /// Returns the joints that a PTP or PTP_ANGLE turns and their angles (deg) at its end, joint and leg from 0. `from` are the
+    /// angles of all joints before it, leg by leg. Returns none for a target that is not reached, or whose end depends on
+    /// the way there.
+    fn turns(&self, op: Op, target: Target, values: &[f64], from: &[f64]) -> Vec<(usize, f64)>;
+    /// Returns the function from the angles of all joints, leg by leg, to the least distance of two parts.
+    fn distances(&self) -> Distances;
+    /// Returns true if two links, by leg and joint from 0, are compared in a search for collisions.
+    fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool;
     /// Simulates the robot on its legs.
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware>;
     /// Puts a program on the robot.
@@ -106,6 +118,19 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
 
     fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss> {
         MovableParts::from(self).miss(op, target, values, limits)
+    }
+
+    fn turns(&self, op: Op, target: Target, values: &[f64], from: &[f64]) -> Vec<(usize, f64)> {
+        MovableParts::from(self).turns(op, target, values, from)
+    }
+
+    fn distances(&self) -> Distances {
+        let bodies = SelfCollision::new(self);
+        Arc::new(move |angles| bodies.clearance_of_row(angles))
+    }
+
+    fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool {
+        SelfCollision::new(self).compares(one, other)
     }
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {
@@ -216,6 +241,34 @@ impl<const J: usize> MovableParts<'_, J> {
             }
             _ => None,
         }
+    }
+}
+
+impl<const J: usize> MovableParts<'_, J> {
+    #[inline(never)] // Else it is compiled for each number of legs.
+    fn turns(&self, op: Op, target: Target, values: &[f64], from: &[f64]) -> Vec<(usize, f64)> {
+        if self.miss(op, target, values, &[]).is_some() {
+            return Vec::new();
+        }
+        let found = match (op, target) {
+            (Op::PtpAngle, Target::Foot(n)) => Some((n, 0, values.to_vec())),
+            (Op::PtpAngle, Target::Joint(n, m)) => Some((n, usize::from(m) - 1, values.to_vec())),
+            (Op::Ptp, Target::Foot(n)) => self.closed_form(n, values, from),
+            _ => None,
+        };
+        found.map_or(Vec::new(), |(n, m, angles)| {
+            let first = (usize::from(n) - 1) * J + m;
+            (first..).zip(angles).collect()
+        })
+    }
+
+    /// Returns the angles at the end of a PTP, if its leg has a closed form.
+    fn closed_form(&self, n: u8, values: &[f64], from: &[f64]) -> Option<(u8, usize, Vec<f64>)> {
+        let at = usize::from(n).checked_sub(1)?;
+        let leg = self.legs.get(at).filter(|_| self.inverse.is_closed())?;
+        let before = from.as_chunks::<J>().0.get(at)?;
+        let angles = inverse_from(self.inverse, leg, before, values.try_into().ok()?)?;
+        Some((n, 0, angles.to_vec()))
     }
 }
 

@@ -5,6 +5,7 @@
 
 use crate::event::Events;
 use crate::message::Linting;
+use crate::model::Distances;
 use crate::motion::Limbs;
 use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
@@ -12,10 +13,12 @@ use crate::run::Run;
 use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
 use std::any::Any;
 use std::fmt;
+use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
 use tip_runtime::machine::Mismatch;
+use tip_runtime::plant::{Clearance, CollisionCounter};
 use tip_runtime::program::Program;
 use tipc::Loaded;
 use tipc::code::Code;
@@ -64,6 +67,9 @@ impl Run {
             soles: anatomy.body.map_or(0, |_| legs),
             angles: Vec::new(),
             inputs: Inputs::all(f64::NAN),
+            distances: robot.distances(),
+            collisions: CollisionCounter::NONE,
+            readings: 0,
         });
         let machine = robot.start_on(hardware, ProgramRunner::new(program));
         Ok(Run::on(machine?))
@@ -136,6 +142,10 @@ struct RealHardware {
     angles: Vec<f64>,
     /// Values that events gave to inputs, V; NaN for all others.
     inputs: Inputs,
+    distances: Distances,
+    collisions: CollisionCounter,
+    /// Number of cycles in which the joints were measured.
+    readings: u64,
 }
 
 impl fmt::Debug for RealHardware {
@@ -152,6 +162,7 @@ impl DynHardware for RealHardware {
         Box::new(RealHardware {
             joints: None,
             angles: self.angles.clone(),
+            distances: Arc::clone(&self.distances),
             ..*self
         })
     }
@@ -167,6 +178,12 @@ impl DynHardware for RealHardware {
             .read(into.angles, into.ages)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
+        let gap = (self.distances)(into.angles);
+        match self.readings {
+            0 => self.collisions.begin(gap),
+            cycle => self.collisions.update(gap, cycle - 1),
+        }
+        self.readings += 1;
         *into.inputs = self.inputs;
         Ok(())
     }
@@ -186,6 +203,10 @@ impl DynHardware for RealHardware {
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         self.has_input(port) && self.inputs.set(port, volts)
+    }
+
+    fn clearance(&self) -> Option<Clearance> {
+        self.collisions.clearance()
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -3,7 +3,7 @@
 use crate::dyn_machine::{DynMachine, NativeCommands};
 
 use crate::ideal_joints::IdealJoints;
-use crate::model::{DynModel, Miss, RobotDescription};
+use crate::model::{Distances, DynModel, Miss, RobotDescription};
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
@@ -193,6 +193,27 @@ impl Robot {
         limits: &[Range],
     ) -> Option<Miss> {
         self.model.miss(op, target, values, limits)
+    }
+
+    /// Returns the joints that a PTP or PTP_ANGLE turns, with their angles at its end.
+    pub(crate) fn turns(
+        &self,
+        op: Op,
+        target: Target,
+        values: &[f64],
+        from: &[f64],
+    ) -> Vec<(usize, f64)> {
+        self.model.turns(op, target, values, from)
+    }
+
+    /// Returns the function from the angles of all joints, leg by leg, to the least distance of two parts.
+    pub(crate) fn distances(&self) -> Distances {
+        self.model.distances()
+    }
+
+    /// Returns true if two links, by leg and joint from 0, are compared in a search for collisions.
+    pub(crate) fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool {
+        self.model.compares(one, other)
     }
 
     /// Puts a program on it.

@@ -151,9 +151,10 @@ impl Run {
             Event::Noise(_) => self.machine.hardware().can_have_noise(),
             _ => true,
         };
-        match can {
-            true => Ok(()),
-            false => Err(Refused::Massless(event.to_string())),
+        match (can, self.machine.hardware().is_bolted_down()) {
+            (true, _) => Ok(()),
+            (false, true) => Err(Refused::BoltedDown(event.to_string())),
+            (false, false) => Err(Refused::Massless(event.to_string())),
         }
     }
 
@@ -272,8 +273,13 @@ impl Run {
 
     /// Runs one cycle, and returns what happened in it. After the program's end the robot is still held.
     pub fn cycle(&mut self) -> Cycle {
+        self.reported(None)
+    }
+
+    /// Runs one cycle as [`cycle`](Self::cycle) does, and reports it to a sink, too.
+    pub fn reported(&mut self, sink: Option<&mut dyn Sink>) -> Cycle {
         let mut collector = Collector::new(self.cycles(), self.time());
-        let status = self.advance(Some(&mut collector));
+        let status = tee(Some(&mut collector), sink, |sink| self.advance(sink));
         collector.finish(self.machine.as_ref(), status)
     }
 

@@ -60,6 +60,11 @@ pub(crate) trait DynHardware: Send {
         false
     }
 
+    /// Returns true if it simulates a robot without a body that moves.
+    fn is_bolted_down(&self) -> bool {
+        false
+    }
+
     /// Waits up to a time until the sensors can be read. Returns true if they can.
     fn is_ready(&mut self, longest: Duration) -> bool {
         let _ = longest;
@@ -194,6 +199,10 @@ where
 
     fn set_noise(&mut self, noise: Noise) -> bool {
         self.plant.set_noise(noise)
+    }
+
+    fn is_bolted_down(&self) -> bool {
+        self.plant.motion().is_none() && self.plant.limbs().is_some()
     }
 
     fn motion(&self) -> Option<Motion> {

@@ -9,7 +9,7 @@ use crate::wait_detector::Wait;
 use serde::{Serialize, Serializer};
 use tip_runtime::command::Target;
 use tip_runtime::model::TorqueUnit;
-use tip_runtime::plant::{ServoDynamics, Travel};
+use tip_runtime::plant::{Gap, ServoDynamics, Travel};
 
 /// Standard gravity, m/s² (3rd CGPM, 1901).
 const GRAVITY: f64 = 9.806_65;
@@ -32,6 +32,10 @@ pub struct Summary {
     pub falls: Option<FallFigures>,
     /// Least stability margin.
     pub margin: Option<Peak>,
+    /// Least distance of two parts of the robot after a cycle, negative where they overlap.
+    pub clearance: Option<Peak>,
+    /// Collisions of the robot with itself.
+    pub collisions: Option<CollisionFigures>,
     /// Largest slip of a foot in one stance, at the end of a cycle.
     pub slip: Option<Peak>,
     /// Largest rate of a joint, from the end of one cycle to that of the next.
@@ -76,6 +80,15 @@ pub struct FallFigures {
     pub first: Option<Moment>,
 }
 
+/// Collisions of a robot with itself.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct CollisionFigures {
+    /// Number of cycles after which two parts overlapped.
+    pub cycles: u32,
+    /// Moment of the first one.
+    pub first: Option<Moment>,
+}
+
 /// A cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Moment {
@@ -96,7 +109,7 @@ pub struct Peak {
     pub unit: &'static str,
     /// The largest value that is possible, if there is one.
     pub limit: Option<f64>,
-    /// The foot, joint, finger or object; none of the whole robot.
+    /// The foot, joint, finger, object or pair of parts; none of the whole robot.
     pub of: Option<String>,
     /// The moment.
     #[serde(flatten)]
@@ -143,6 +156,10 @@ pub struct Sample<'a> {
     pub travel: Option<Travel>,
     /// Least margin so far, mm.
     pub least_margin: Option<f64>,
+    /// The least distance of two parts, if it is known.
+    pub gap: Option<Gap>,
+    /// Number of cycles so far after which two parts overlapped.
+    pub collisions: u32,
     /// Slip of each foot, mm.
     pub slips: &'a [f64],
     /// Joint angles, leg by leg, deg.
@@ -212,7 +229,7 @@ impl SummaryBuilder {
             time_s: self.ended / 1000.0,
             line: line(step),
         };
-        let (motion, limbs) = (run.motion(), run.limbs());
+        let (motion, limbs, clearance) = (run.motion(), run.limbs(), run.clearance());
         let own;
         let (angles, torques, slips) = match &limbs {
             Some(limbs) => (&*limbs.angles, &*limbs.torques, &*limbs.slips),
@@ -229,6 +246,8 @@ impl SummaryBuilder {
             ended: run.time(),
             travel: run.travel(),
             least_margin: motion.map(|motion| motion.least_margin),
+            gap: clearance.map(|clearance| clearance.now),
+            collisions: clearance.map_or(0, |clearance| clearance.collisions),
             slips,
             angles,
             torques,
@@ -280,6 +299,18 @@ impl SummaryBuilder {
             && (summary.margin.as_ref()).is_none_or(|margin| value < margin.value)
         {
             summary.margin = Some(Peak::new(value, "mm", None, None, at));
+        }
+        if let Some(gap) = sample.gap {
+            let least = summary.clearance.as_ref();
+            if least.is_none_or(|least| gap.distance < least.value) {
+                let of = Some(gap.to_string());
+                summary.clearance = Some(Peak::new(gap.distance, "mm", None, of, at));
+            }
+            let first = summary.collisions.and_then(|before| before.first);
+            summary.collisions = Some(CollisionFigures {
+                cycles: sample.collisions,
+                first: first.or((sample.collisions > 0).then_some(at)),
+            });
         }
         for (leg, slip) in (1..).zip(sample.slips) {
             let foot = || Target::Foot(leg).to_string();

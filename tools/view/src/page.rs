@@ -1,10 +1,13 @@
 //! The page of a run: one HTML file that replays a recording, or shows a session.
 
 use crate::recording::Recording;
+use crate::updates;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec;
 use serde::Serialize;
+use similar::TextDiff;
+use tip_runtime::printable::Printable;
 
 /// The page without its script and what it shows.
 const PAGE: &str = include_str!("../page/dist/page.html");
@@ -28,9 +31,21 @@ impl Recording {
     }
 
     /// Returns the page that replays this recording with another one next to it: plots over each other, the other robot as
-    /// a ghost.
+    /// a ghost, the difference of the programs.
     pub fn to_comparison(&self, other: &Recording) -> String {
-        self.page_with(&STANDARD.encode(other.packed()))
+        let diff = updates::json(&self.program_diff(other));
+        let lines = [other.updates(), diff].join("\n");
+        self.page_with(&STANDARD.encode(compress_to_vec(lines.as_bytes(), 9)))
+    }
+
+    /// Returns the unified diff from this run's program to another one's, without context; empty if they are equal.
+    pub fn program_diff(&self, other: &Recording) -> String {
+        let (one, other) = (&self.script, &other.script);
+        let diff = TextDiff::from_lines(&*one.text, &*other.text);
+        let names = [one, other].map(|script| Printable::line(&script.name).to_string());
+        let [from, to] = &names;
+        let mut diff = diff.unified_diff();
+        diff.context_radius(0).header(from, to).to_string()
     }
 
     fn page_with(&self, other: &str) -> String {
@@ -63,6 +78,8 @@ pub struct SweepTable<C, R, G> {
     pub command: String,
     /// 1, or the distance of the rows that were taken from a larger table.
     pub every: u64,
+    /// The server of the page has the page of each run, `case/N`.
+    pub is_served: bool,
 }
 
 /// Returns one HTML file that shows a table of runs, as `tip sweep` writes it, and makes no network requests.

@@ -14,11 +14,13 @@ use tip_runtime::model::Point;
 use tip_runtime::program::{End, THREADS};
 use tip_runtime::record::Ending;
 use tip_sim::{
-    Cycle, Events, FallKind, Interpreter, Refused, Robot, Run, Summary, SummaryBuilder, Wait,
-    WaitDetector,
+    Cycle, Event, Events, FallKind, Interpreter, Refused, Robot, Run, Summary, SummaryBuilder,
+    Wait, WaitDetector,
 };
 use tipc::Loaded;
+use tipc::analysis::access;
 use tipc::language::Keyword;
+use tipc::program::Action;
 use tipc::source::Source;
 
 /// Time between two frames, at least, ms.
@@ -221,6 +223,8 @@ pub(crate) struct Recorder {
     falls: u32,
     upright_falls: u32,
     tasks: Tasks,
+    /// Scalars that an event set and no step has read since.
+    unread: Vec<usize>,
     pub(crate) frame_rate: FrameRate,
     /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
@@ -249,6 +253,7 @@ impl Recorder {
             falls: 0,
             upright_falls: 0,
             tasks: Tasks::default(),
+            unread: Vec::new(),
             frame_rate: FrameRate::Smooth,
             pending: None,
         }
@@ -265,6 +270,7 @@ impl Recorder {
         };
         self.keep_time(cycle, happened.time, period);
         self.note(happened);
+        self.note_changes(cycle, run);
         self.end_threads(cycle, cycle);
         self.note_timers(cycle, run);
         let locks = Occurrence::Locks(run.locked());
@@ -284,6 +290,7 @@ impl Recorder {
             time: run.time(),
             pose: motion.map(|motion| motion.pose),
             margin: motion.map(|motion| motion.margin),
+            gap: run.clearance().map(|clearance| clearance.now),
             ..Frame::default()
         };
         if let Some(limbs) = run.limbs() {
@@ -376,6 +383,60 @@ impl Recorder {
         self.recording.log.extend(entries);
     }
 
+    /// Adds the values that events set before a cycle, and the first steps that read them. A value that the program has replaced in
+    /// the same cycle is not added. A message shows a value, but nothing follows from it.
+    fn note_changes(&mut self, cycle: u64, run: &Run) {
+        let Recording {
+            events,
+            script,
+            log,
+            ..
+        } = &mut self.recording;
+        let later = &events[events.partition_point(|event| event.cycle < cycle)..];
+        for event in later.iter().take_while(|event| event.cycle == cycle) {
+            let Event::Set(name, value) = &event.event else {
+                continue;
+            };
+            let Some(scalar) = script.scalar(name) else {
+                continue;
+            };
+            let what = Occurrence::Assigned {
+                scalar,
+                value: *value,
+            };
+            let mut own = log.iter().rev().take_while(|entry| entry.cycle == cycle);
+            if own.all(|entry| entry.what.key() != what.key()) {
+                log.push(LogEntry { cycle, what });
+            }
+            if !self.unread.contains(&scalar) {
+                self.unread.push(scalar);
+            }
+        }
+        let program = run.engine::<Interpreter>().map(Interpreter::program);
+        let Some(program) = program.filter(|_| !self.unread.is_empty()) else {
+            return;
+        };
+        for step in run.steps() {
+            let Some(step) = program.steps().get(step.from.step as usize) else {
+                continue;
+            };
+            if let Action::Message { .. } | Action::FileMessage { .. } = step.action {
+                continue;
+            }
+            access::reads(program, &step.action, |scalar| {
+                let Some(at) = self.unread.iter().position(|unread| *unread == scalar) else {
+                    return;
+                };
+                self.unread.remove(at);
+                let what = Occurrence::Read {
+                    scalar,
+                    line: step.line,
+                };
+                self.recording.log.push(LogEntry { cycle, what });
+            });
+        }
+    }
+
     /// Adds the steps of threads in a cycle.
     fn note_threads(&mut self, cycle: u64, threads: &[(u8, u32)]) {
         for (thread, step) in threads {
@@ -445,6 +506,12 @@ impl Recorder {
         self.note_state(cycle, Occurrence::Contacts(touch.collect()));
         for slip in self.slips.begun(&frame.slips) {
             self.log(cycle, slip);
+        }
+        let collides = frame.gap.filter(|gap| gap.distance < 0.0);
+        let collision = Occurrence::Collision(collides.map(|gap| gap.parts));
+        // A robot that has not collided has no end of a collision.
+        if collides.is_some() || self.states.contains_key(&collision.key()) {
+            self.note_state(cycle, collision);
         }
         let is_due = |last: &Frame| match self.frame_rate {
             FrameRate::Smooth => frame.time - last.time > APART - ROUNDING,
@@ -563,6 +630,7 @@ pub(crate) struct Checkpoint {
     falls: u32,
     upright_falls: u32,
     tasks: Tasks,
+    unread: Vec<usize>,
 }
 
 impl Recorder {
@@ -575,6 +643,7 @@ impl Recorder {
             falls: self.falls,
             upright_falls: self.upright_falls,
             tasks: self.tasks,
+            unread: self.unread.clone(),
         }
     }
 
@@ -585,6 +654,7 @@ impl Recorder {
         self.falls = checkpoint.falls;
         self.upright_falls = checkpoint.upright_falls;
         self.tasks = checkpoint.tasks;
+        self.unread.clone_from(&checkpoint.unread);
         self.pending = None;
         self.recording.cut(checkpoint.cycle);
         let entries = self.recording.log.iter().map(|entry| &entry.what);

@@ -6,8 +6,8 @@ use std::fmt;
 use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::kinematics;
-use tip_runtime::model::{Body, Inverse, Point, Slider, TorqueUnit};
-use tip_runtime::plant::{Pose, Scene};
+use tip_runtime::model::{Body, Inverse, Part, Point, Slider, TorqueUnit};
+use tip_runtime::plant::{Gap, Pose, Scene};
 use tip_sim::{FallKind, IssuedCommand, Limb, Robot, Summary, Timed, Wait};
 
 /// The run of a program, from its first cycle to its last.
@@ -77,6 +77,13 @@ pub enum Occurrence {
         /// The value that was assigned.
         value: f64,
     },
+    /// A step, not a message, read a variable for the first time after an event had set it. A trace lacks it.
+    Read {
+        /// Its place among [`Script::scalars`].
+        scalar: usize,
+        /// The line of the step, from 1.
+        line: u32,
+    },
     /// A lamp was switched on (true) or off.
     Lamp(u8, bool),
     /// A command was accepted.
@@ -96,6 +103,8 @@ pub enum Occurrence {
         /// The kind. A trace lacks it.
         kind: Option<FallKind>,
     },
+    /// These two parts of the robot overlapped; none where that was over.
+    Collision(Option<[Part; 2]>),
     /// A foot that stood had slipped by more than 5 mm, for the first time in this stance.
     Slip {
         /// The leg, from 0.
@@ -116,12 +125,14 @@ impl Occurrence {
             Occurrence::Locks(_) => "locks".into(),
             Occurrence::Message(_) => "message".into(),
             Occurrence::Assigned { scalar, .. } => numbered("set", scalar),
+            Occurrence::Read { scalar, .. } => numbered("read", scalar),
             Occurrence::Lamp(device, _) => numbered("lamp", device),
             Occurrence::Command(command) => numbered("command", &command.target),
             Occurrence::Contacts(_) => "contacts".into(),
             Occurrence::Flags(_) => "flags".into(),
             Occurrence::Modes(_) => "modes".into(),
             Occurrence::Fall { .. } => "fall".into(),
+            Occurrence::Collision(_) => "collision".into(),
             Occurrence::Slip { leg, .. } => numbered("slip", leg),
         }
     }
@@ -184,6 +195,8 @@ pub struct Frame {
     pub torques: Vec<Vec<f64>>,
     /// Distance of the centre of mass inside the support polygon, mm; negative outside.
     pub margin: Option<f64>,
+    /// The least distance of two parts of the robot; none if it is not measured.
+    pub gap: Option<Gap>,
     /// Force of each fingertip on floor and objects, N. Empty for a robot that is not a hand.
     pub pushes: Vec<[f64; 3]>,
     /// Place of the slider that carries the floor, mm.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use tip_runtime::command::{FAST, Op, RELATIVE, Target, Value};
 use tip_runtime::machine::Status;
-use tip_runtime::plant::{Pose, Travel};
+use tip_runtime::plant::{Gap, Pose, Travel};
 use tip_sim::{Cycle, IssuedCommand, Moment, Robot, Sample};
 use tipc::Loaded;
 use tipc::language::Keyword;
@@ -101,6 +101,9 @@ struct Record {
     pose: Option<[f64; 6]>,
     angles: Vec<Vec<f64>>,
     loads: Vec<f64>,
+    clearance: Option<f64>,
+    nearest: Option<[String; 2]>,
+    collisions: u32,
     margin: Option<f64>,
     falls: u32,
     end: Option<String>,
@@ -187,6 +190,15 @@ impl Recording {
     }
 }
 
+impl Record {
+    /// Returns the least distance of two parts, if the record has it.
+    fn gap(&self) -> Option<Gap> {
+        let [one, other] = self.nearest.as_ref()?;
+        let parts = [one.parse().ok()?, other.parse().ok()?];
+        Some(Gap::new(self.clearance?, parts))
+    }
+}
+
 impl Recorder {
     /// Takes the record of a cycle that ended at `time` (ms).
     fn take_record(&mut self, record: &Record, command: Option<IssuedCommand>, time: f64) {
@@ -234,6 +246,7 @@ impl Recorder {
             angles: record.angles.clone(),
             loads: record.loads.clone(),
             margin: record.margin,
+            gap: record.gap(),
             ..Frame::default()
         });
         self.summarise(record, pose, time);
@@ -271,6 +284,8 @@ impl Recorder {
             ended: time,
             travel,
             least_margin,
+            gap: frame.gap,
+            collisions: record.collisions,
             slips: &frame.slips,
             angles: &frame.angles,
             ..Sample::default()

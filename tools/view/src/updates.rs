@@ -182,6 +182,7 @@ fn value(what: &Occurrence) -> Json {
         Occurrence::Locks(joints) => json!(listed(joints)),
         Occurrence::Message(text) => json!(text),
         Occurrence::Assigned { value, .. } => json!(value),
+        Occurrence::Read { line, .. } => json!(line),
         Occurrence::Lamp(_, on) => json!(on),
         Occurrence::Command(command) => json!(words(command)),
         Occurrence::Contacts(touch) => json!(mask(touch)),
@@ -192,6 +193,9 @@ fn value(what: &Occurrence) -> Json {
             margin,
             kind,
         } => json!([count, margin, kind]),
+        Occurrence::Collision(parts) => {
+            json!(parts.map(|parts| parts.map(|part| part.to_string())))
+        }
         Occurrence::Slip { distance, .. } => json!(distance),
     }
 }
@@ -447,6 +451,9 @@ fn all(first: &Frame) -> Vec<Channel> {
         }));
     }
     all.push(channel("margin".to_owned(), |frame| frame.margin));
+    all.push(channel("clearance".to_owned(), |frame| {
+        Some(frame.gap?.distance)
+    }));
     for (leg, angles) in first.angles.iter().enumerate() {
         for joint in 0..angles.len() {
             let of = move |all: &[Vec<f64>]| all.get(leg)?.get(joint).copied();

@@ -1,5 +1,5 @@
 //! The programs on a Cortex-M4: their traces go to the debugger's standard output, what they cost in
-//! memory to its standard error.
+//! memory, and the cycles of a gait in time, to its standard error.
 #![no_std]
 #![no_main]
 
@@ -8,6 +8,9 @@ mod stack;
 use core::fmt::Write;
 use core::mem::size_of;
 use core::panic::PanicInfo;
+use cortex_m::Peripherals;
+use cortex_m::peripheral::SYST;
+use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::{ExceptionFrame, entry, exception};
 use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
 use cortex_m_semihosting::hio::{self, HostStream};
@@ -27,11 +30,13 @@ fn main() -> ! {
     }
 }
 
-/// Returns true if all programs ended themselves, and the walk with mass went on; `None` if that is not known.
+/// Returns true if all programs ended themselves, and the walk with mass and the tripod went on; `None` if that is not known.
 fn run() -> Option<bool> {
     let mut trace = hio::hstdout().ok()?;
     let mut report = hio::hstderr().ok()?;
     let (trace, report) = (&mut trace, &mut report);
+    let steered = measure("tripod", robots::hexapod, robots::steer, trace, report)?;
+    time_cycles(report)?;
     let walked = measure("walk", robots::walker, robots::run, trace, report)?;
     let grasped = measure("grasp", robots::hand, robots::run, trace, report)?;
     let threaded = measure("threads", robots::threaded, robots::run, trace, report)?;
@@ -42,7 +47,7 @@ fn run() -> Option<bool> {
         trace,
         report,
     )?;
-    Some(walked && grasped && threaded && swung)
+    Some(walked && grasped && threaded && swung && steered)
 }
 
 /// Runs one program, and reports its bytes of memory.
@@ -71,6 +76,31 @@ fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: u
     )
     .ok()?;
     Some(ended)
+}
+
+/// Reports the ticks of the system timer that cycles of the tripod take, on average and at most. `None` if that cannot be known.
+#[inline(never)]
+fn time_cycles(report: &mut HostStream) -> Option<()> {
+    /// The timer counts down from here, again and again.
+    const TOP: u32 = 0x00FF_FFFF;
+    const CYCLES: u32 = 250;
+    let mut timer = Peripherals::take()?.SYST;
+    timer.set_clock_source(SystClkSource::Core);
+    timer.set_reload(TOP);
+    timer.clear_current();
+    timer.enable_counter();
+    let mut made = robots::hexapod();
+    let robot = made.as_mut().ok()?;
+    robot.key(b'W');
+    let (mut sum, mut most) = (0_u32, 0);
+    for _ in 0..CYCLES {
+        let before = SYST::get_current();
+        robot.cycle();
+        let ticks = before.wrapping_sub(SYST::get_current()) & TOP;
+        (sum, most) = (sum.wrapping_add(ticks), ticks.max(most));
+    }
+    let mean = sum / CYCLES;
+    writeln!(report, "tripod: ticks of a cycle {mean}, at most {most}").ok()
 }
 
 /// Handler of a stack overflow, among others.

@@ -1,5 +1,5 @@
-//! The programs of the examples `walk` and `grasp`, and one with threads, on simulated robots, and the traces that every
-//! machine must leave alike, bit by bit.
+//! The programs of the examples `walk` and `grasp`, one with threads, and the steered tripod of a PhantomX, on simulated robots, and
+//! the traces that every machine must leave alike, bit by bit.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -18,6 +18,8 @@ use trace::Trace;
 tip_macros::include_tip!(pub "../../walk/motions/walk.prg");
 tip_macros::include_tip!(pub "motions/threads.prg");
 tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
+tip_macros::include_robot!(pub "phantomx");
+tip_macros::include_tip!(pub "../../published/tripod.prg", robot = phantomx);
 
 /// TITAN VIII, its controller and its program.
 pub type Walker = Machine<Walk, SimulatedPlant<4, 3>, 4, 3>;
@@ -30,6 +32,9 @@ pub type Threaded = Machine<Threads, SimulatedPlant<4, 3>, 4, 3>;
 
 /// The Hiroshima Hand, its controller and its program.
 pub type Hand = Machine<Grasp, SimulatedHand<3, 3>, 3, 3, (), HandSpecials>;
+
+/// PhantomX, its controller and a gait that keys steer.
+pub type Hexapod = Machine<Tripod, SimulatedPlant<6, 3>, 6, 3>;
 
 // Functions of their own, so that the plant and the program that they move leave the stack before the motion begins.
 
@@ -87,17 +92,47 @@ pub fn hand() -> Result<Hand, Mismatch> {
     Ok(machine.with_special(HandSpecials::new()))
 }
 
+/// PhantomX before its first control cycle.
+///
+/// # Errors
+/// Never: the program was compiled for this robot.
+#[inline(never)]
+pub fn hexapod() -> Result<Hexapod, Mismatch> {
+    let plant = SimulatedPlant::new(&PHANTOMX);
+    Machine::new(Tripod::new(), &PHANTOMX, plant)
+}
+
 /// Cycles of the walk with mass on slow machines: it stands up and swings its first legs.
 const SLICE: u64 = 250;
 
-/// Runs the first cycles of a program, with a line in the trace for each. Whether it goes on then, and all
+/// Cycles of a gait whose trace is written: it begins to walk. Each has about eighty steps.
+const BEGINNING: u64 = 60;
+
+/// Runs the first cycles of a gait as [`begin`] does. The key W is pressed before: it walks ahead.
+pub fn steer<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
+    robot: &mut Machine<P, H, L, J, (), S>,
+    out: &mut impl Write,
+) -> bool {
+    robot.key(b'W');
+    begin_for(BEGINNING, robot, out)
+}
+
+/// Runs the first cycles of a program, with a line in the trace for each step. Whether it goes on then, and all
 /// of the trace was written.
 pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     robot: &mut Machine<P, H, L, J, (), S>,
     out: &mut impl Write,
 ) -> bool {
+    begin_for(SLICE, robot, out)
+}
+
+fn begin_for<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
+    cycles: u64,
+    robot: &mut Machine<P, H, L, J, (), S>,
+    out: &mut impl Write,
+) -> bool {
     let mut trace = Trace::new(out);
-    let runs = (0..SLICE).all(|_| robot.cycle_traced(&mut trace).is_running());
+    let runs = (0..cycles).all(|_| robot.cycle_traced(&mut trace).is_running());
     runs && trace.is_complete()
 }
 

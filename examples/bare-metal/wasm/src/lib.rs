@@ -20,14 +20,15 @@ impl Write for Host {
     }
 }
 
-/// Writes the traces. 1 if all programs ended themselves, and the walk with mass went on, else 0.
+/// Writes the traces. 1 if all programs ended themselves, and the walk with mass and the tripod went on, else 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn run() -> u32 {
+    let steered = robots::hexapod().is_ok_and(|mut robot| robots::steer(&mut robot, &mut Host));
     let walked = robots::walker().is_ok_and(|mut robot| robots::run(&mut robot, &mut Host));
     let grasped = robots::hand().is_ok_and(|mut robot| robots::run(&mut robot, &mut Host));
     let threaded = robots::threaded().is_ok_and(|mut robot| robots::run(&mut robot, &mut Host));
     let swung = robots::heavy_walker().is_ok_and(|mut robot| robots::begin(&mut robot, &mut Host));
-    u32::from(walked && grasped && threaded && swung)
+    u32::from(walked && grasped && threaded && swung && steered)
 }
 
 #[panic_handler]

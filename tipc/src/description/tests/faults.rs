@@ -5,7 +5,7 @@ use crate::description::{Servo, parse, parse_for_servos};
 use tip_runtime::model::Range;
 
 /// `LINE:COLUMN: reason (help)` of each fault.
-fn faults(text: &str) -> Vec<String> {
+pub(super) fn faults(text: &str) -> Vec<String> {
     let loaded = parse("robot.toml", text.as_bytes()).expect_err("it has a fault");
     let reported = loaded.diagnostics.iter().map(|fault| {
         assert_eq!(fault.code, Code::Description);
@@ -424,7 +424,7 @@ fn the_help_for_a_motor_that_would_turn_too_far_names_the_keys() {
 #[test]
 fn a_bus_has_a_drive_for_each_joint() {
     let text = with(
-        "[bus]\nport = \"/dev/ttyUSB0\"\nservo = \"ax-12\"\nsilence = 3\nbaud = 4500000\nat_end = \"relax\"\nhold_to_drive = false\ndriver_silence = [1, 1, 3600]\n\
+        "[bus]\nport = \"/dev/ttyUSB0\"\nservo = \"ax-12\"\nsilence = 3\nbaud = 4500000\nat_end = \"relax\"\ncollisions = \"warn\"\nhold_to_drive = false\ndriver_silence = [1, 1, 3600]\n\
          [[drive]]\njoint = \"J11\"\nid = 7\nsign = -1\noffset = 10\nlimits = [-90, 120]\n",
     );
     let description = parse_for_servos("robot.toml", text.as_bytes(), &SERVOS).expect("good");
@@ -432,6 +432,7 @@ fn a_bus_has_a_drive_for_each_joint() {
     assert_eq!(bus.port.as_deref(), Some("/dev/ttyUSB0"));
     assert_eq!((bus.baud, bus.silence), (4_500_000, 3));
     assert_eq!(bus.relaxes, [true, false]);
+    assert!(!bus.stops_collisions);
     assert_eq!(
         (bus.hold_to_drive, bus.driver_silence),
         (false, [1.0, 1.0, 3600.0])

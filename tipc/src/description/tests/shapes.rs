@@ -1,8 +1,9 @@
 //! Shapes, turned and mirrored with their legs, and what is wrong with some.
 
-use super::faults::{only, with, with_joint};
+use super::faults::{faults, only, with, with_joint};
 use super::{good, one_leg};
-use crate::description::{Form, Shape};
+use crate::description::{Form, Shape, WithModel};
+use tip_runtime::model::{Model, Part};
 
 /// Returns the only shape of the only link, in a leg with these keys.
 fn shape(leg: &str, keys: &str) -> Shape {
@@ -185,4 +186,68 @@ fn a_shape_with_keys_or_numbers_that_it_cannot_have() {
         &with(&format!("{body}shape = [{{ sphere = -1 }}]")),
         "8:21: it must be above 0 (`sphere` is a number in mm)",
     );
+}
+
+/// Returns the radius of each link of the first leg, and the pairs that may touch.
+struct Collisions;
+
+impl WithModel for Collisions {
+    type Output = (Vec<Option<f64>>, Vec<[Part; 2]>);
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
+        let joints = model.legs.first().into_iter().flat_map(|leg| leg.joints);
+        let pairs = model.may_touch.iter().flatten().copied();
+        (joints.map(|joint| joint.radius).collect(), pairs.collect())
+    }
+}
+
+#[test]
+fn the_radius_of_a_link_is_stated_or_that_of_a_shape_along_it() {
+    let radii = |keys: &str| {
+        let joint = format!("{{ axis = \"x\", link = [0, 0, -60]{keys} }}");
+        good(&one_leg(&joint)).with_model(Collisions).0
+    };
+    assert_eq!(radii(""), [None]);
+    assert_eq!(radii(", radius = 7.5"), [Some(7.5)]);
+    let along = ", shape = [{ cylinder = [5, 60], at = [0, 0, -30] }]";
+    assert_eq!(radii(along), [Some(5.0)]);
+    assert_eq!(radii(&format!("{along}, radius = 7.5")), [Some(7.5)]);
+    // Half of the smaller side of a block.
+    let block = ", shape = [{ block = [10, 16, 60], at = [0, 0, -30] }]";
+    assert_eq!(radii(block), [Some(5.0)]);
+    only(
+        &with_joint("radius = -1"),
+        "3:51: it must be above 0 (`radius` is a number in mm)",
+    );
+}
+
+#[test]
+fn pairs_that_may_touch_are_parts_of_the_robot() {
+    let legs = "name = \"two\"\nleg = [{ base = [0, 0, 0] }, { base = [9, 0, 0] }]\njoint = [{ axis = \"x\", link = [0, 0, 9] }]\n";
+    let body = "[body]\nx = [-1, 1]\ny = [-1, 1]\nz = [-1, 1]\n";
+    let text = |pairs: &str, more: &str| format!("{legs}may_touch = {pairs}\n{more}");
+    let pairs = text("[[\"link11\", \"link21\"], [\"body\", \"link21\"]]", body);
+    let [one, two] = [Part::Link(1, 1), Part::Link(2, 1)];
+    let expected = vec![[one, two], [Part::Body, two]];
+    assert_eq!(good(&pairs).with_model(Collisions).1, expected);
+    for (pairs, more, expected) in [
+        // A part that the robot lacks, and one that only a walking robot has.
+        ("[[\"link11\", \"link12\"]]", body, "cannot be this"),
+        ("[[\"link11\", \"body\"]]", "", "cannot be this"),
+        ("[[\"link11\"]]", body, "two parts belong here"),
+        ("[\"link11\"]", body, "cannot stand here"),
+        ("[[\"link11\", 2]]", body, "cannot stand here"),
+    ] {
+        let found = faults(&text(pairs, more));
+        let [one] = &found[..] else {
+            panic!("{pairs}: {found:?}");
+        };
+        assert!(one.starts_with("4:") && one.contains(expected), "{one}");
+    }
+    let many = format!("[{}]", "[\"link11\", \"link21\"], ".repeat(33));
+    let found = faults(&text(&many, body));
+    let [one] = &found[..] else {
+        panic!("{found:?}");
+    };
+    assert!(one.contains("no robot has more than 32 pairs"), "{one}");
 }

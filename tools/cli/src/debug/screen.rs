@@ -3,6 +3,7 @@
 
 use crate::debug::App;
 use crate::message::DebugText;
+use crate::report::fixed;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
@@ -287,7 +288,7 @@ fn switches(app: &App) -> impl Iterator<Item = Line<'static>> {
 /// Returns modes and targets; joints with the same mode share it.
 fn aims_text(app: &App, setpoints: &[&Setpoint]) -> String {
     let goal = |aim: &Setpoint| {
-        let numbers = aim.goal().iter().map(|value| format!("{value:.0}"));
+        let numbers = aim.goal().iter().map(|value| fixed(*value, 0));
         numbers.collect::<Vec<_>>().join(" ")
     };
     let mode = |aim: &Setpoint| app.say(control(aim.mode));
@@ -381,7 +382,7 @@ fn variable_text(variable: &Variable) -> String {
     let shown = |value: Option<f64>| match (value, variable.kind) {
         (None, _) => "–".to_owned(),
         (Some(value), VariableKind::Var) => short(value),
-        (Some(value), VariableKind::Pos | VariableKind::Joint) => format!("{value:.2}"),
+        (Some(value), VariableKind::Pos | VariableKind::Joint) => fixed(value, 2),
     };
     let scalars = variable.scalars.iter().map(|(_, value)| shown(*value));
     format!(
@@ -395,7 +396,7 @@ fn variable_text(variable: &Variable) -> String {
 fn short(value: f64) -> String {
     match value.fract() == 0.0 {
         true => value.to_string(),
-        false => format!("{value:.3}"),
+        false => fixed(value, 3),
     }
 }
 

@@ -1,5 +1,7 @@
 //! `tip drives record`: teaches a motion by hand. The torque is off; what is written is a program.
 
+mod existing;
+mod going;
 mod mirror;
 mod program;
 mod thin;
@@ -12,8 +14,10 @@ use crate::message::{Driving, Using};
 use crate::run::trial::trial;
 use crate::{Status, input, interrupt, output, report};
 use clap::Args;
+use existing::{Existing, Place};
+use going::{Gone, go};
 use mirror::Mirror;
-use program::{Limits, Motion};
+use program::{Limits, Motion, Pose};
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use thin::Sample;
@@ -24,6 +28,7 @@ use tip_lint::format::format;
 use tip_runtime::command::Target;
 use tip_runtime::record::AtomicFile;
 use tip_sim::Robot;
+use tipc::language::{Edition, names, reserved};
 use tipc::message::Lang;
 use tipc::message::list::List;
 
@@ -31,15 +36,18 @@ use tipc::message::list::List;
 #[command(after_long_help = "Examples:
   tip drives record robot.toml -o wave.prg                 pose by pose
   tip drives record robot.toml -o wave.prg --continuous    a motion as it is made
+  tip drives record robot.toml -o walk.prg --at end        more poses of a program
 
-The torque is off, from the first RETURN to the end: hold the robot. SPACE adds the pose in which it is,
-m its mirror image; d deletes the last one; q, ESC, Ctrl-C and a fault end and write what there is.
+The torque is off, from the first RETURN on: hold the robot. SPACE adds the pose in which it is, m its
+mirror image; < and > choose a pose, n names it, d deletes it; q, ESC, Ctrl-C and a fault end and write
+what there is. g moves the robot to the chosen pose and p through all, slowly and with torque: RETURN is
+the emergency stop then, and r switches the torque off.
 A pose counts if each servo gives two equal positions after the key, within the limits of the file.
 With --continuous SPACE begins, and another one ends. The program is tried in simulation, and what goes
 wrong there is said. `tip run wave.prg --hardware robot.toml` plays it.
 
-Exit status: 0 if the program is written after q, ESC or SPACE, 130 after Ctrl-C, 1 if nothing was
-recorded or a fault of the bus ended it.")]
+Exit status: 0 if the program is written after q, ESC or SPACE, 130 after Ctrl-C, 3 after an emergency
+stop, 1 if nothing was recorded or a fault of the bus ended it.")]
 pub(crate) struct Record {
     #[command(flatten)]
     robot: RobotArguments,
@@ -51,6 +59,12 @@ pub(crate) struct Record {
     /// Replace a program that exists
     #[arg(long)]
     force: bool,
+
+    /// Add to a program that exists, before a line or before its END
+    ///
+    /// All other lines stay. The program is written only if it is one with the new lines; else they are printed
+    #[arg(long, value_name = "LINE|end", value_parser = Place::parse, conflicts_with = "force")]
+    at: Option<Place>,
 
     /// Record a motion instead of poses
     ///
@@ -83,9 +97,9 @@ pub(super) fn record(arguments: &Record) -> Result<Status, Error> {
     if !io::stdin().is_terminal() {
         return Err(Error::failed(Driving::OnlyOnTerminal, lang));
     }
-    // A motion that was taught must not be lost for a file that cannot be written.
-    let file = arguments.begin()?;
     let robot = Robot::described(&arguments.robot.description()?);
+    // A motion that was taught must not be lost for a file that cannot be written.
+    let destination = arguments.begin(&robot)?;
     let connection = arguments.robot.connect_to_measure()?;
     let stiff = connection.robot().drives_mut().stiff();
     let question = match stiff.is_empty() {
@@ -107,25 +121,43 @@ pub(super) fn record(arguments: &Record) -> Result<Status, Error> {
         },
         lang,
     );
-    let mut recording = Recording::new(&connection, &robot, arguments.continuous, lang);
-    let failed = recording.until_the_end().err();
+    let existing = match &destination {
+        Destination::Existing(existing) => Some(&**existing),
+        Destination::New(_) => None,
+    };
+    let mut recording = Recording::new(&connection, &robot, existing, arguments.continuous, lang);
+    let ended = recording.until_the_end();
     connection.keyboard();
     // What was taught is kept, whatever ended it.
     interrupt::hold();
-    let status = arguments.keep(&connection, &robot, &recording.taken, file)?;
-    match failed {
-        _ if interrupt::is_requested() => Ok(Status::Interrupted),
-        Some(error) => Err(error),
+    let Recording { poses, samples, .. } = recording;
+    let status = arguments.keep(&connection, &robot, &poses, &samples, destination)?;
+    match ended? {
+        Some(stopped) => Ok(stopped),
+        None if interrupt::is_requested() => Ok(Status::Interrupted),
         None => Ok(status),
     }
 }
 
+/// The place to which the program is written.
+#[derive(Debug)]
+enum Destination {
+    /// A new file; `None` for standard output.
+    New(Option<AtomicFile>),
+    Existing(Box<Existing>),
+}
+
 impl Record {
-    /// Begins the file of the program; `None` for standard output.
-    fn begin(&self) -> Result<Option<AtomicFile>, Error> {
+    /// Begins the file of the program, or reads the one that exists.
+    fn begin(&self, robot: &Robot) -> Result<Destination, Error> {
         let (out, lang) = (&self.out, self.robot.lang());
+        if let Some(place) = self.at {
+            let options = self.robot.output_options();
+            let existing = Existing::read(out, place, robot, options)?;
+            return Ok(Destination::Existing(Box::new(existing)));
+        }
         if input::is_stream(out) {
-            return Ok(None);
+            return Ok(Destination::New(None));
         }
         output::refuse_inputs(out, &[&self.robot.file])?;
         if out.exists() && !self.force {
@@ -134,7 +166,7 @@ impl Record {
         }
         let file = output::begin(out).map_err(|error| Error::cannot_write(out, error))?;
         interrupt::discards(file.part());
-        Ok(Some(file))
+        Ok(Destination::New(Some(file)))
     }
 
     /// Says that there is nothing to write.
@@ -152,22 +184,26 @@ impl Record {
         &self,
         connection: &Connection,
         robot: &Robot,
-        taken: &[Sample],
-        file: Option<AtomicFile>,
+        poses: &[Pose],
+        samples: &[Sample],
+        destination: Destination,
     ) -> Result<Status, Error> {
-        if taken.is_empty() {
+        if poses.is_empty() && samples.is_empty() {
             return self.nothing();
         }
         let options = self.robot.output_options();
         let limits = limits(connection, robot);
         let Motion {
-            text,
+            mut text,
             points,
             fastest,
         } = match self.continuous {
-            true => limits.motion(taken, self.error),
-            false => limits.poses(taken),
+            true => limits.motion(samples, self.error),
+            false => limits.poses(poses),
         };
+        if let Destination::Existing(_) = destination {
+            text = limits.with_standards(&text);
+        }
         if let Some((place, speed)) = fastest {
             let joint = connection.setup.name(place);
             let (speed, most) = (format!("{speed:.0}"), limits.speeds[place]);
@@ -188,16 +224,33 @@ impl Record {
                 report::write_stderr(&trial);
             }
         }
-        let is_file = file.is_some();
-        match file {
-            None => output::print(&text)?,
-            Some(mut file) => {
-                let written = file.write_all(&text).and_then(|()| file.commit());
-                if let Err(error) = written {
-                    output::print(&text)?;
-                    return Err(Error::cannot_write(&self.out, error));
-                }
+        let (written, is_file) = match destination {
+            Destination::New(None) => {
+                output::print(&text)?;
+                (Ok(()), false)
             }
+            Destination::New(Some(mut file)) => {
+                let written = file.write_all(&text).and_then(|()| file.commit());
+                (
+                    written.map_err(|error| Error::cannot_write(&self.out, error)),
+                    true,
+                )
+            }
+            Destination::Existing(existing) => {
+                let whole = existing.with(&String::from_utf8_lossy(&text), robot);
+                loaded = whole.1;
+                let written = match loaded.program {
+                    None => Ok(output::print(&text)?),
+                    Some(_) => {
+                        output::update(&self.out, &existing.bytes(), &whole.0, self.robot.lang())
+                    }
+                };
+                (written, true)
+            }
+        };
+        if let Err(error) = written {
+            output::print(&text)?;
+            return Err(error);
         }
         // It has too many lines, for example.
         if loaded.program.is_none() {
@@ -221,18 +274,34 @@ fn limits(connection: &Connection, robot: &Robot) -> Limits {
         period: setup.period,
         slow: speeds.iter().copied().fold(setup.bus.start, f64::min),
         speeds,
-        acceleration: robot.anatomy().standards.omega_dot_max,
+        standards: robot.anatomy().standards,
     }
 }
+
+/// The end of a lesson, and the status of the command if the robot was stopped.
+struct Ended(Option<Status>);
+
+/// Bytes of keys that delete a character.
+const BACKSPACE: u8 = 0x08;
+const DELETE: u8 = 0x7F;
 
 /// A motion while it is taught.
 struct Recording<'a> {
     connection: &'a Connection,
     mirror: Result<Mirror, usize>,
+    /// The program to which the poses are added.
+    existing: Option<&'a Existing>,
     lang: Lang,
     /// True for a motion, false for poses.
     is_continuous: bool,
-    taken: Vec<Sample>,
+    samples: Vec<Sample>,
+    poses: Vec<Pose>,
+    /// The place of the chosen pose.
+    chosen: usize,
+    /// What was typed of its new name.
+    naming: Option<String>,
+    /// Time in which the robot had torque, ms. It belongs to no way between poses.
+    moved: f64,
     /// Time from which on answers belong to the next sample of a motion, µs; `None` while none is recorded.
     sampled: Option<u64>,
     /// True while a joint is outside of its limits.
@@ -243,13 +312,24 @@ struct Recording<'a> {
 }
 
 impl<'a> Recording<'a> {
-    fn new(connection: &'a Connection, robot: &Robot, is_continuous: bool, lang: Lang) -> Self {
+    fn new(
+        connection: &'a Connection,
+        robot: &Robot,
+        existing: Option<&'a Existing>,
+        is_continuous: bool,
+        lang: Lang,
+    ) -> Self {
         Recording {
             connection,
             mirror: Mirror::of(&robot.anatomy()),
+            existing,
             lang,
             is_continuous,
-            taken: vec![],
+            samples: vec![],
+            poses: vec![],
+            chosen: 0,
+            naming: None,
+            moved: 0.0,
             sampled: None,
             is_outside: false,
             shown: String::new(),
@@ -257,8 +337,9 @@ impl<'a> Recording<'a> {
         }
     }
 
-    /// Follows the keys until one of them, a signal or a fault of the bus ends it.
-    fn until_the_end(&mut self) -> Result<(), Error> {
+    /// Follows the keys until one of them, a signal or a fault of the bus ends it; returns the status with which the command ends
+    /// if the robot was stopped on its way to a pose.
+    fn until_the_end(&mut self) -> Result<Option<Status>, Error> {
         let ended = loop {
             if let Err(failure) = self.connection.measure() {
                 if matches!(failure.problem, Problem::Port | Problem::Alarm(_)) {
@@ -269,37 +350,128 @@ impl<'a> Recording<'a> {
             }
             self.sample();
             self.show();
-            // RETURN stops nothing: there is no torque.
-            if self.connection.request() == Some(Request::End) {
-                break Ok(());
+            let request = self.connection.request();
+            if request == Some(Request::End) {
+                break Ok(None);
             }
             match self.keys() {
-                Ok(true) => {}
-                Ok(false) => break Ok(()),
+                Ok(None) => {}
+                Ok(Some(Ended(status))) => break Ok(status),
                 Err(error) => break Err(error),
+            }
+            // RETURN stops nothing: there is no torque.
+            if request == Some(Request::EmergencyStop) {
+                self.rename();
             }
         };
         self.end_line();
         ended
     }
 
-    /// Obeys the keys that were typed; returns false if one of them ends the lesson.
-    fn keys(&mut self) -> Result<bool, Error> {
+    /// Obeys the keys that were typed; returns the end of the lesson if one of them ends it.
+    fn keys(&mut self) -> Result<Option<Ended>, Error> {
         while let Some(key) = self.connection.key() {
+            if let Some(name) = &mut self.naming {
+                match key {
+                    BACKSPACE | DELETE => drop(name.pop()),
+                    b'!'..=b'~' if name.len() < names::LIMIT => {
+                        name.push(char::from(key.to_ascii_uppercase()));
+                    }
+                    _ => {}
+                }
+                continue;
+            }
             match key {
-                b'q' => return Ok(false),
-                b' ' if self.is_continuous && self.sampled.is_some() => return Ok(false),
+                b'q' => return Ok(Some(Ended(None))),
+                b' ' if self.is_continuous && self.sampled.is_some() => {
+                    return Ok(Some(Ended(None)));
+                }
                 b' ' if self.is_continuous => {
                     self.sampled = Some(self.now());
                     self.say(Driving::RecordBegun);
                 }
                 b' ' => self.add(None)?,
-                b'm' if !self.is_continuous => self.add_image()?,
-                b'd' if !self.is_continuous => self.delete(),
+                _ if self.is_continuous => {}
+                b'm' => self.add_image()?,
+                b'd' => self.delete(),
+                b'<' | b',' => self.choose(self.chosen.saturating_sub(1)),
+                b'>' | b'.' => self.choose(self.chosen + 1),
+                b'n' if self.poses.is_empty() => self.say(Driving::NoPose),
+                b'n' => {
+                    self.end_line();
+                    self.naming = Some(String::new());
+                }
+                b'g' | b'p' => {
+                    if let Some(ended) = self.go(key == b'p')? {
+                        return Ok(Some(ended));
+                    }
+                }
                 _ => {}
             }
         }
-        Ok(true)
+        Ok(None)
+    }
+
+    /// Moves the robot to the chosen pose, or through all; returns the end of the lesson if it was stopped.
+    fn go(&mut self, is_all: bool) -> Result<Option<Ended>, Error> {
+        let ways = match is_all {
+            true => &self.poses[..],
+            false => &self.poses[self.chosen..][..self.poses.len().min(1)],
+        };
+        let ways: Vec<Vec<f64>> = ways.iter().map(|it| it.sample.angles.clone()).collect();
+        if ways.is_empty() {
+            self.say(Driving::NoPose);
+            return Ok(None);
+        }
+        let begun = self.now();
+        self.end_line();
+        let gone = go(self.connection, &ways, self.lang)?;
+        self.moved += (self.now() - begun) as f64 / 1000.0;
+        Ok(match gone {
+            Gone::Left(status) => Some(Ended(status)),
+            Gone::Limp => {
+                self.say(Driving::RecordLimp);
+                None
+            }
+        })
+    }
+
+    /// Chooses a pose, if there is one at this place.
+    fn choose(&mut self, place: usize) {
+        let last = self.poses.len().saturating_sub(1);
+        self.chosen = place.min(last);
+        let number = self.chosen + 1;
+        let name = self.poses.get(self.chosen).map(|pose| pose.name.clone());
+        self.say(name.map_or(Driving::NoPose, |name| Driving::PoseChosen { number, name }));
+    }
+
+    /// Gives the chosen pose the name that was typed.
+    fn rename(&mut self) {
+        let Some(name) = self.naming.take() else {
+            return;
+        };
+        if name.is_empty() {
+            return self.choose(self.chosen);
+        }
+        let is_own = self.poses[self.chosen].name == name;
+        if !is_own && !self.is_free(&name) {
+            return self.say(Driving::NotAPoseName { name });
+        }
+        self.poses[self.chosen].name = name;
+        self.choose(self.chosen);
+    }
+
+    /// Returns true if a pose can have a name: its variables are words that nothing else has.
+    fn is_free(&self, name: &str) -> bool {
+        let legs = 1..=self.connection.setup.joints.len() / self.connection.setup.of_leg;
+        let mut variables = legs.map(|leg| Pose::variable(name, leg));
+        !self.poses.iter().any(|pose| pose.name == name)
+            && variables.all(|variable| {
+                names::is_variable(&variable)
+                    && variable.len() <= names::LIMIT
+                    && !reserved::is_reserved(&variable, Edition::V3_2)
+                    && !self.existing.is_some_and(|it| it.has(&variable))
+            })
     }
 
     fn now(&self) -> u64 {
@@ -336,7 +508,7 @@ impl<'a> Recording<'a> {
     fn add(&mut self, mirror: Option<&Mirror>) -> Result<(), Error> {
         let setup = &self.connection.setup;
         let joints: Vec<usize> = (0..setup.joints.len()).collect();
-        let time = self.now() as f64 / 1000.0;
+        let time = self.now() as f64 / 1000.0 - self.moved;
         self.end_line();
         let Some(found) = positions(self.connection, &joints, self.lang)? else {
             return Ok(());
@@ -365,16 +537,30 @@ impl<'a> Recording<'a> {
                 return Ok(());
             }
         }
-        self.taken.push(Sample { time, angles });
-        let number = self.taken.len();
+        let mut numbers = self.poses.len() + 1..;
+        let name = numbers.find_map(|number| {
+            let name = format!("POSE{number}");
+            self.is_free(&name).then_some(name)
+        });
+        self.poses.push(Pose {
+            name: name.unwrap_or_default(),
+            sample: Sample { time, angles },
+        });
+        let number = self.poses.len();
+        self.chosen = number - 1;
         self.say(Driving::PoseAdded { number });
         Ok(())
     }
 
+    /// Deletes the chosen pose, and chooses the one before it.
     fn delete(&mut self) {
-        let number = self.taken.len();
-        let deleted = self.taken.pop();
-        self.say(deleted.map_or(Driving::NoPose, |_| Driving::PoseDeleted { number }));
+        if self.poses.is_empty() {
+            return self.say(Driving::NoPose);
+        }
+        self.poses.remove(self.chosen);
+        let number = self.chosen + 1;
+        self.chosen = self.chosen.saturating_sub(1);
+        self.say(Driving::PoseDeleted { number });
     }
 
     /// Returns the first joint that is outside of its limits.
@@ -408,7 +594,7 @@ impl<'a> Recording<'a> {
         let outside = self.outside(&angles);
         let was_outside = std::mem::replace(&mut self.is_outside, outside.is_some());
         match outside {
-            None => self.taken.push(Sample {
+            None => self.samples.push(Sample {
                 time: now as f64 / 1000.0,
                 angles,
             }),
@@ -434,6 +620,14 @@ impl<'a> Recording<'a> {
 
     /// Returns the line of the pose, in whole degrees, which 18 joints fit into 80 columns; `?` for a servo that has not answered for too long.
     fn line(&self) -> String {
+        if let Some(name) = &self.naming {
+            let asked = Driving::PoseNameAsked {
+                number: self.chosen + 1,
+            };
+            // A shorter name hides the longer one before.
+            let width = names::LIMIT + 1;
+            return format!("{}: {name:width$}", asked.in_lang(self.lang));
+        }
         let setup = &self.connection.setup;
         let robot = self.connection.robot();
         let drives = robot.drives();
@@ -449,6 +643,7 @@ impl<'a> Recording<'a> {
             .chunks(setup.of_leg)
             .map(|leg| leg.concat())
             .collect();
-        format!("{:2}:{}", self.taken.len(), legs.join("|"))
+        let taken = self.poses.len() + self.samples.len();
+        format!("{taken:2}:{}", legs.join("|"))
     }
 }

@@ -22,6 +22,7 @@ use tip_drives::simulated::{MemoryPort, SimulatedBus};
 use tip_runtime::console::Terminal;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
+use tip_runtime::plant::Gap;
 use tip_sim::Joints;
 use tipc::description::Description;
 use tipc::message::Lang;
@@ -96,7 +97,7 @@ impl Setup {
             .map_err(|error| Error::Failed(error.to_string()))?;
         let (is_simulated, period) = (injection.is_some(), self.period);
         let host = Attended {
-            operator: Operator::of_signals(interrupt::signal()),
+            operator: Operator::of_signals(interrupt::signal()).of_robot(&self),
             injection,
             stop: Arc::default(),
             period,
@@ -194,6 +195,19 @@ impl Host<AnyPort> for Attended {
         }
         self.operator.request()
     }
+
+    fn gap(&self, angles: &[f64]) -> Option<Gap> {
+        self.operator.gap(angles)
+    }
+}
+
+/// The end of a robot that was left.
+#[derive(Debug)]
+pub(crate) struct Finished {
+    /// True if the emergency stop was pressed meanwhile.
+    pub(crate) is_stopped: bool,
+    /// Lines about the servos that are in another state than they were to be; empty if there are none.
+    pub(crate) complaint: String,
 }
 
 type SharedGuard = Mutex<TorqueGuard<AnyPort, Attended>>;
@@ -229,12 +243,12 @@ impl Connection {
         self.robot().host_mut().operator.key()
     }
 
-    /// Reads the keys of a robot without torque from now on, and returns what the operator asks for.
-    pub(super) fn request(&self) -> Option<Request> {
+    /// Reads the keys of a robot without torque from now on, and returns what the operator at the terminal asks for.
+    pub(crate) fn request(&self) -> Option<Request> {
         let mut robot = self.robot();
-        let host = robot.host_mut();
-        host.operator.take_keys();
-        host.request()
+        let operator = &mut robot.host_mut().operator;
+        operator.take_keys();
+        operator.request()
     }
 
     /// Returns the sampling time, ms.
@@ -400,19 +414,22 @@ impl Connection {
         self.robot().host_mut().operator.give_keys()
     }
 
-    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then; returns
-    /// true if the emergency stop was pressed.
-    pub(crate) fn finish(&self) -> bool {
+    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then.
+    pub(crate) fn finish(&self) -> Finished {
         let mut robot = self.robot();
         let was_stopped = robot.is_stopped();
         let left = operator::leave(&mut robot, &self.setup);
         interrupt::is_left();
-        report::complain(&lines(left, self.lang));
+        let complaint = lines(left, self.lang);
+        report::complain(&complaint);
         let is_stopped = robot.is_stopped() && !was_stopped;
         if is_stopped {
             report::say(Stopping::KeyPressed, self.lang);
         }
-        is_stopped
+        Finished {
+            is_stopped,
+            complaint,
+        }
     }
 
     /// Returns the problem that stopped the robot.
@@ -499,6 +516,10 @@ impl Connection {
                 min: own.limits.min,
                 max: own.limits.max,
             },
+            Problem::Collides(Gap {
+                parts: [one, other],
+                ..
+            }) => Driving::Collides { one, other },
             Problem::Torque => Driving::NoTorques { joint },
             Problem::Load(load) => {
                 let [period, read, write] =

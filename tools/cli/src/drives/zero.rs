@@ -139,8 +139,10 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
 /// Switches the torque of every servo off, and has each confirm it.
 pub(super) fn relax(connection: &Connection, lang: Lang) -> Result<(), Error> {
     let mut robot = connection.robot();
+    let drives = robot.drives_mut();
+    // Those that hold are not expected to hold any more. Each confirms it below.
+    let _ = drives.release();
     for place in 0..connection.setup.joints.len() {
-        let drives = robot.drives_mut();
         let mut tries = (0..READINGS).map(|_| drives.relax(place));
         if !tries.any(|confirmed| confirmed == Ok(true)) {
             let joints = List(connection.setup.names(&[place]));

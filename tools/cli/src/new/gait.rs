@@ -11,6 +11,7 @@ use clap::ValueEnum;
 use figures::{Figures, Floor};
 use plan::Plan;
 use std::fmt;
+use tip_runtime::plant::ServoDynamics;
 use tip_sim::Robot;
 
 /// The order in which feet swing.
@@ -67,21 +68,23 @@ impl Gait {
 /// Factor between the speeds of two trials.
 const SLOWER: f64 = 0.75;
 
-/// Finds the fastest gait that is safe, or a gait of a kind.
+/// Finds the fastest gait that is safe, or a gait of a kind, for a robot whose servos turn `speed` deg/s and no faster than simulated
+/// ones.
 ///
 /// # Errors
 /// The reason why there is none.
-pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>) -> Result<Gait, Making> {
+pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>, speed: f64) -> Result<Gait, Making> {
+    let speed = speed.min(ServoDynamics::default().speed);
     let legs = robot.anatomy().legs.len();
     if robot.anatomy().body.is_none() {
         return Err(Making::BoltedDown);
     }
     if let Some(kind) = kind {
-        return find_kind(robot, kind);
+        return find_kind(robot, kind, speed);
     }
     let (mut level_only, mut first) = (None, None);
     for kind in Kind::fastest_first(legs) {
-        match find_kind(robot, *kind) {
+        match find_kind(robot, *kind, speed) {
             Ok(gait) if gait.is_safe_on_slope => return Ok(gait),
             Ok(gait) => _ = level_only.get_or_insert(gait),
             Err(reason) => _ = first.get_or_insert(reason),
@@ -95,9 +98,9 @@ pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>) -> Result<Gait, Ma
 ///
 /// # Errors
 /// The robot cannot walk so, or falls in each trial.
-fn find_kind(robot: &Robot, kind: Kind) -> Result<Gait, Making> {
+fn find_kind(robot: &Robot, kind: Kind, speed: f64) -> Result<Gait, Making> {
     let anatomy = robot.anatomy();
-    let plan = Plan::derive(&anatomy, kind)?;
+    let plan = Plan::derive(&anatomy, kind, speed)?;
     let (mut level_only, mut reason) = (None, None);
     for plan in [&plan, &plan.slower(SLOWER)] {
         match try_on_floors(robot, plan) {
@@ -132,7 +135,7 @@ fn try_on_floors(robot: &Robot, plan: &Plan) -> Result<Gait, Making> {
     }
     Ok(Gait {
         kind: plan.kind,
-        program: program::text(robot, plan, &figures::comment(&rows)),
+        program: program::text(robot, plan, &figures::comment(&rows, plan.servos)),
         speed,
         cycle: plan.cycle / 1000.0,
         is_safe_on_slope,

@@ -103,7 +103,7 @@ fn error(LogError { path, reason }: LogError) -> Error {
 }
 
 /// A trace that is being written.
-pub(super) struct Trace {
+pub(crate) struct Trace {
     path: PathBuf,
     takes_standard_output: bool,
     is_straight: bool,
@@ -126,8 +126,8 @@ struct Terminal {
 }
 
 impl Trace {
-    /// Opens a trace.
-    pub(super) fn begin(path: &Path, arguments: &Run) -> Result<Self, Error> {
+    /// Opens a trace, with a hash of the robot's state and its motion in each record if they are asked for.
+    pub(crate) fn begin(path: &Path, with_state: bool, with_motion: bool) -> Result<Self, Error> {
         let out = if is_standard(path) {
             Output::standard()
         } else {
@@ -139,13 +139,13 @@ impl Trace {
             Output::Standard(_) | Output::Terminal(_) => (true, true),
             Output::File(file) => (false, file.part().is_none()),
         };
-        let lines = JsonLines::new(Stream::new(BufWriter::new(out)), arguments.trace_state);
+        let lines = JsonLines::new(Stream::new(BufWriter::new(out)), with_state);
         Ok(Trace {
             path: path.to_owned(),
             takes_standard_output,
             is_straight,
-            with_motion: arguments.trace_motion,
-            lines: match arguments.trace_motion {
+            with_motion,
+            lines: match with_motion {
                 true => lines.with_motion(),
                 false => lines,
             },
@@ -163,12 +163,12 @@ impl Trace {
     }
 
     /// Returns the sink of the records.
-    pub(super) fn sink(&mut self) -> &mut dyn Sink {
+    pub(crate) fn sink(&mut self) -> &mut dyn Sink {
         &mut self.lines
     }
 
     /// Adds the motion to the record of a cycle, if it was asked for.
-    pub(super) fn after(&mut self, run: &tip_sim::Run) {
+    pub(crate) fn after(&mut self, run: &tip_sim::Run) {
         if !self.with_motion {
             return;
         }
@@ -190,7 +190,7 @@ impl Trace {
     }
 
     /// Writes the last record, and puts the complete file in its place.
-    pub(super) fn end(mut self, ending: Ending, cycles: u64) -> Result<(), Error> {
+    pub(crate) fn end(mut self, ending: Ending, cycles: u64) -> Result<(), Error> {
         self.lines.end(ending, cycles);
         let mut stream = self.lines.into_inner();
         let written = stream.finish().and_then(|()| {

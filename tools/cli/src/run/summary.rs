@@ -5,7 +5,7 @@ use crate::drives::robot::Connection;
 use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
 use crate::output::width;
-use crate::report::step_location;
+use crate::report::{fixed, step_location};
 use serde::Serialize;
 use std::fmt::{self, Write as _};
 use tip_drives::drives::Counts;
@@ -570,12 +570,7 @@ pub(super) fn seconds(time: f64) -> String {
 
 /// Formats a value with one decimal, without -0.0.
 pub(super) fn tenths(value: f64) -> String {
-    let text = format!("{value:.1}");
-    if text == "-0.0" {
-        "0.0".to_owned()
-    } else {
-        text
-    }
+    fixed(value, 1)
 }
 
 /// Splits a value into its amount and its direction.

@@ -1,17 +1,21 @@
 //! Connections of a live page: each has a thread, and their number is limited. Requests of HTTP/1.1 must have the token and come
-//! from no other site; they get the page or a WebSocket.
+//! from no other site; they get a page or a WebSocket.
 
 use super::hub::{HubEvent, HubSender, Outbox};
+use crate::error::Error as CommandError;
+use crate::sweep;
 use std::collections::VecDeque;
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::io::{self, Read, Write};
 use std::net::{IpAddr, Shutdown, SocketAddr, TcpListener, TcpStream};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tip_view::live::{ClientRequest, MOST_BYTES};
+use tipc::message::Lang;
 use tungstenite::error::CapacityError;
 use tungstenite::handshake::server::{create_response, write_response};
 use tungstenite::http::Request;
@@ -30,11 +34,61 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Pause while there are too many threads.
 const STEP: Duration = Duration::from_millis(1);
 
+/// What is served to those who have the token.
+pub(super) enum Content {
+    /// A page with a live run.
+    Run(HubSender),
+    /// A page with a table, and pages with its runs.
+    Table(Table),
+}
+
+/// The table of a sweep, read again for each request.
+pub(super) struct Table {
+    file: PathBuf,
+    lang: Lang,
+    /// One run is simulated at a time, however many are asked for.
+    simulates: Mutex<()>,
+}
+
+impl Table {
+    pub(super) fn new(file: PathBuf, lang: Lang) -> Self {
+        Table {
+            file,
+            lang,
+            simulates: Mutex::default(),
+        }
+    }
+
+    /// Answers a request with the page of the table, or of a run.
+    fn answer(&self, stream: &mut TcpStream, path: &str) -> io::Result<()> {
+        let case = path.strip_prefix("/case/").map(str::parse::<u64>);
+        let page = match (path, case) {
+            ("/", _) => sweep::page(&self.file, true, self.lang).map(|(page, _)| page),
+            (_, Some(Ok(case))) => {
+                let one = self.simulates.lock();
+                let _one = one.unwrap_or_else(PoisonError::into_inner);
+                sweep::record(&self.file, case, self.lang).map(|recording| recording.to_page())
+            }
+            _ => return send_error(stream, "404 Not Found", "there is nothing here"),
+        };
+        match page {
+            Ok(page) => send_page(stream, &page),
+            Err(error) => {
+                let status = match error {
+                    CommandError::Usage(_) => "404 Not Found",
+                    _ => "500 Internal Server Error",
+                };
+                send_error(stream, status, &error.text(self.lang))
+            }
+        }
+    }
+}
+
 /// Starts a thread that accepts connections.
-pub(super) fn accept(listener: TcpListener, guard: Guard, hub: HubSender) {
+pub(super) fn accept(listener: TcpListener, guard: Guard, content: Content) {
     let connections = Arc::new(Connections {
         guard,
-        hub,
+        content,
         pending: Mutex::default(),
         admitted: AtomicUsize::new(0),
     });
@@ -68,7 +122,7 @@ pub(super) fn accept(listener: TcpListener, guard: Guard, hub: HubSender) {
 /// The state that all connections share.
 struct Connections {
     guard: Guard,
-    hub: HubSender,
+    content: Content,
     /// Connections that have not sent the token, the oldest first.
     pending: Mutex<VecDeque<(usize, TcpStream)>>,
     /// Number of connections that have.
@@ -132,19 +186,24 @@ impl Connections {
         answered
     }
 
-    /// Answers a request with the token: with the page, or by a WebSocket.
+    /// Answers a request with the token: with a page, or by a WebSocket.
     fn answer_admitted(&self, number: usize, mut stream: TcpStream, head: Head) -> io::Result<()> {
-        match (&*head.method, &*head.path) {
-            ("GET", "/") => send_page(&mut stream, &tip_view::live::page()),
-            ("GET", "/live") => {
+        if head.method != "GET" {
+            return send_error(&mut stream, "405 Method Not Allowed", "only GET is served");
+        }
+        match (&self.content, &*head.path) {
+            (Content::Table(table), path) => table.answer(&mut stream, path),
+            (Content::Run(_), "/") => send_page(&mut stream, &tip_view::live::page()),
+            (Content::Run(hub), "/live") => {
                 let host = head.field("host").unwrap_or_default();
                 match self.guard.admit_origin(head.field("origin"), host) {
-                    Ok(()) => serve_viewer(number as u64, stream, head, &self.hub),
+                    Ok(()) => serve_viewer(number as u64, stream, head, hub),
                     Err(rejection) => refuse(&mut stream, rejection),
                 }
             }
-            ("GET", _) => send_error(&mut stream, "404 Not Found", "there is nothing here"),
-            _ => send_error(&mut stream, "405 Method Not Allowed", "only GET is served"),
+            (Content::Run(_), _) => {
+                send_error(&mut stream, "404 Not Found", "there is nothing here")
+            }
         }
     }
 }
@@ -518,13 +577,13 @@ impl Socket<'_> {
 
     fn send(&mut self) -> Result<(), End> {
         while let Some(text) = self.outbox.take() {
-            self.socket.write(Message::text(text))?;
+            unless_interrupted(self.socket.write(Message::text(text)))?;
         }
         if self.pinged.elapsed() > PING {
             self.pinged = Instant::now();
-            self.socket.write(Message::Ping(Vec::new().into()))?;
+            unless_interrupted(self.socket.write(Message::Ping(Vec::new().into())))?;
         }
-        Ok(self.socket.flush()?)
+        unless_interrupted(self.socket.flush())
     }
 
     fn receive(&mut self) -> Result<(), End> {
@@ -559,12 +618,20 @@ impl Socket<'_> {
     }
 }
 
-/// Returns true if nothing has arrived yet.
+/// Returns true if nothing has arrived yet. A process that was suspended is interrupted where it waits with a time-out.
 fn is_timeout(error: &io::Error) -> bool {
     matches!(
         error.kind(),
-        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut
+        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut | io::ErrorKind::Interrupted
     )
+}
+
+/// Lets a process that was suspended while it wrote go on: the library keeps what is not written yet.
+fn unless_interrupted(written: Result<(), Error>) -> Result<(), End> {
+    match written {
+        Err(Error::Io(error)) if error.kind() == io::ErrorKind::Interrupted => Ok(()),
+        written => Ok(written?),
+    }
 }
 
 /// A limit of the rate of requests.

@@ -10,9 +10,9 @@ use super::{Serve, ServedFile};
 use crate::drives::report_stiff;
 use crate::drives::robot::{Connection, Setup};
 use crate::error::Error;
-use crate::message::Driving;
+use crate::message::{Driving, Using};
 use crate::setup::ChosenRobot;
-use crate::{Status, interrupt, report, sticks};
+use crate::{Status, input, interrupt, output, report, sticks};
 use control::{Control, Report};
 use std::path::Path;
 use std::sync::Arc;
@@ -141,6 +141,12 @@ pub(super) fn prepare(
         subject.loaded.report(unconnected.into());
     }
     let output_options = arguments.run.source.output_options;
+    if let Some(trace) = &arguments.trace {
+        if input::is_stream(trace) {
+            return Err(Error::usage(Using::ServeTrace, lang));
+        }
+        output::refuse_inputs(trace, &arguments.run.files())?;
+    }
     if subject.loaded.program.is_none() {
         return Err(Error::Refused(Box::new(subject.loaded), output_options));
     }
@@ -163,6 +169,7 @@ pub(super) fn prepare(
         robot.clone(),
         Arc::clone(&controls),
         (ordered, reports),
+        arguments.trace.clone(),
         lang,
     );
     let follower = Follower {

@@ -2,6 +2,7 @@
 
 use crate::choices::quoted;
 use crate::message::{Figure, Sweeping};
+use crate::report::fixed;
 use crate::run::line;
 use std::time::Duration;
 use tip_sweep::{Column, Front, Goal, Outcome, Ranking, Row};
@@ -179,7 +180,7 @@ fn goals_of(row: &Row, goals: &[Goal]) -> String {
             "mm" | "mm/s" | "deg" | "deg/s" => 1,
             _ => 3,
         };
-        let figure = format!("{} {value:.digits$} {unit}", goal.name());
+        let figure = format!("{} {} {unit}", goal.name(), fixed(value, digits));
         figure.trim_end().to_owned()
     });
     figures.collect::<Vec<_>>().join(", ")
@@ -187,7 +188,7 @@ fn goals_of(row: &Row, goals: &[Goal]) -> String {
 
 fn result(outcome: Outcome) -> Sweeping {
     let time = |seconds: f64| format!("{seconds:.3}");
-    let length = |number: f64| format!("{number:.1}");
+    let length = |number: f64| fixed(number, 1);
     match outcome {
         Outcome::Fell(after) => Sweeping::FellAfter { time: time(after) },
         Outcome::Stopped(after) => Sweeping::StoppedAfter { time: time(after) },

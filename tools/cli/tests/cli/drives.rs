@@ -13,7 +13,7 @@ use std::time::Duration;
 use tip_drives::model::MODELS;
 
 /// The description with a bus, and the gait, of a new crate for a robot. Each is made once: its gait is tried in simulation.
-fn made(robot: &str) -> &'static [String; 2] {
+pub(crate) fn made(robot: &str) -> &'static [String; 2] {
     static PHANTOMX: OnceLock<[String; 2]> = OnceLock::new();
     static SPOTMICRO: OnceLock<[String; 2]> = OnceLock::new();
     let cell = match robot {
@@ -104,6 +104,18 @@ fn a_gait_is_steered_on_servos() {
             outcome.err
         );
     }
+}
+
+/// A gait is derived for the slowest drive of a description; one that needs faster servos is refused.
+#[test]
+fn a_gait_that_drives_are_too_slow_for_is_refused() {
+    let (before, after) = made("spotmicro")[0].split_once("id = 7").expect("a drive");
+    let slow = after.replacen("speed = 270", "speed = 90", 1);
+    let folder = Folder::new("drives-slow").file("slow.toml", format!("{before}id = 7{slow}"));
+    let new = ["new", "it", "--robot", "slow.toml", "--gait", "trot"];
+    let said = folder.tip(&new).expect(1).err;
+    let reason = "servos that turn 90 deg/s are too slow for it";
+    assert!(said.contains(reason), "{said}");
 }
 
 /// The steps of a trace in their order, the messages, and the angles of the last cycle.

@@ -199,6 +199,22 @@ const FAULTS: &[Fault] = &[
         ],
     },
     Fault {
+        name: "a command to a posture in which two parts of the robot overlap",
+        outcome: "emergency stop before the command is sent; with `collisions = \"warn\"` a warning, and nothing stops",
+        examples: &[
+            Example {
+                run: || crosses("stop"),
+                status: STOPS,
+                seen: ("link33 and link13 would overlap", ""),
+            },
+            Example {
+                run: || crosses("warn"),
+                status: GOES_ON,
+                seen: ("warning: link33 and link13 overlap by ", " mm"),
+            },
+        ],
+    },
+    Fault {
         name: "the port is gone",
         outcome: "emergency stop; no command reaches the servos",
         examples: &[Example {
@@ -236,6 +252,27 @@ fn walks(robot: &str, servo: &str, line: &str, fault: &str) -> Outcome {
         "--port",
     ];
     folder.tip(&[&run[..], &[&port]].concat())
+}
+
+/// Turns two legs of a walker towards each other, until their links cross.
+fn crosses(collisions: &str) -> Outcome {
+    let folder = crate_for("phantomx");
+    let own = folder.read("it/robot.toml").replace(
+        "[bus]\n",
+        &format!("[bus]\ncollisions = \"{collisions}\"\n"),
+    );
+    let program = "PTP_ANGLE F1 -55 0 0\nPTP_ANGLE F3 55 0 0\nSLEEP 3000\nEND";
+    let folder = folder
+        .file("it/robot.toml", own)
+        .program("it/p.prg", program);
+    folder.tip(&[
+        "run",
+        "it/p.prg",
+        "--hardware",
+        "it/robot.toml",
+        "--port",
+        "simulated",
+    ])
 }
 
 /// Runs a leg on a bus in real time, and suspends the command for a time.

@@ -50,6 +50,8 @@ mod serve;
 mod servo_bus;
 #[cfg(target_os = "linux")]
 mod servo_commands;
+#[cfg(target_os = "linux")]
+mod steered;
 mod stops;
 mod support;
 #[cfg(target_os = "linux")]

@@ -48,6 +48,58 @@ fn the_page_and_the_run_are_there_until_ctrl_c() {
 }
 
 #[test]
+fn the_runs_of_a_table_open_from_its_page() {
+    let folder = Folder::new("serve-table").program(
+        "lift.prg",
+        "DEF_VAR Z\nZ = 20\nSTAND_UP Z\nWAIT_INPOS ALL\nEND",
+    );
+    let sweep = [
+        "sweep", "lift.prg", "--vary", "Z=10,30", "-q", "-o", "runs.csv",
+    ];
+    folder.tip(&sweep).expect(0);
+    let body = |reply: &str| {
+        let (head, body) = reply.split_once("\r\n\r\n").expect("a response");
+        assert!(head.starts_with("HTTP/1.1 200 OK"), "{head}");
+        body.to_owned()
+    };
+    let server = Server::begin(&folder, &["runs.csv"]);
+    let table = body(&server.get(&server.target("/"), &[]));
+    assert!(table.contains(r#""is_served":true"#) && table.contains("<title>runs.csv</title>"));
+    folder
+        .tip(&["view", "runs.csv", "--case", "1", "-o", "one.html"])
+        .expect(0);
+    let run = body(&server.get(&server.target("/case/1"), &[]));
+    assert!(
+        run == folder.read("one.html"),
+        "the page that tip view writes"
+    );
+    for (target, status) in [
+        (server.target("/case/2"), "404"),
+        (server.target("/case/"), "404"),
+        (server.target("/case/-1"), "404"),
+        (server.target("/live"), "404"),
+        ("/case/1".to_owned(), "403"),
+    ] {
+        let reply = server.get(&target, &[]);
+        assert!(
+            reply.starts_with(&format!("HTTP/1.1 {status} ")),
+            "{target}: {reply:.100}"
+        );
+    }
+    // It is read again for each request.
+    std::fs::write(folder.path("runs.csv"), "a,b\n").expect("it is a file");
+    let reply = server.get(&server.target("/case/1"), &[]);
+    assert!(reply.starts_with("HTTP/1.1 500 "), "{reply:.100}");
+    assert_eq!(server.end(), Some(130));
+    // Nothing of it is a program.
+    folder.tip(&["serve", "runs.csv"]).expect(1);
+    folder
+        .tip(&["serve", "runs.csv", "--hardware", "robot.toml"])
+        .expect(2);
+    folder.tip(&["serve", "none.csv"]).expect(1);
+}
+
+#[test]
 fn it_runs_in_real_time() {
     let server = Server::begin(&counts("serve-time"), &["counts.prg"]);
     let mut viewer = server.viewer();
@@ -168,6 +220,19 @@ fn a_viewer_that_takes_nothing_holds_up_nobody() {
     viewer.does(json!({"do": "speed", "times": 50}));
     viewer.until(|viewer| viewer.cycles > 2000);
     drop(sleeper);
+    viewer.does(json!({"do": "pause"}));
+}
+
+/// A page that drives would lose its robot with its connection.
+#[test]
+fn a_server_that_is_suspended_for_a_moment_keeps_its_viewers() {
+    let server = Server::begin(&counts("serve-suspended"), &["counts.prg"]);
+    let mut viewer = server.viewer();
+    for _ in 0..20 {
+        let cycles = viewer.cycles;
+        viewer.until(|viewer| viewer.cycles > cycles + 2);
+        server.suspend();
+    }
     viewer.does(json!({"do": "pause"}));
 }
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
 
 /// A folder of its own for each test.
@@ -96,6 +96,25 @@ pub(crate) fn process(program: &str) -> Command {
     }
     let mut command = Command::new("env");
     command.args(["--default-signal=INT,HUP,TERM", program]);
+    command
+}
+
+/// Starts a command with keys; its outputs are piped.
+pub(crate) fn start(command: &mut Command, keys: impl Into<Stdio>) -> Child {
+    command.stdin(keys).stdout(Stdio::piped());
+    command.stderr(Stdio::piped()).spawn().expect("it starts")
+}
+
+/// Returns a command whose last arguments are another one, in the same folder and with the same variables.
+pub(crate) fn through(wrapper: &[&str], inner: &Command) -> Command {
+    let mut command = Command::new(wrapper[0]);
+    command.args(&wrapper[1..]);
+    command.arg(inner.get_program()).args(inner.get_args());
+    let variables = inner.get_envs();
+    command.envs(variables.filter_map(|(key, value)| Some((key, value?))));
+    if let Some(folder) = inner.get_current_dir() {
+        command.current_dir(folder);
+    }
     command
 }
 

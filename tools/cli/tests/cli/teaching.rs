@@ -2,11 +2,11 @@
 
 use crate::faults::terminal::Pty;
 use crate::servo_bus::{ServoBus, described};
-use crate::support::{Folder, Outcome};
+use crate::support::{Folder, Outcome, start};
 use crate::torque::{leg, signal};
 use rustix::process::Signal;
 use std::io::Read;
-use std::process::{Child, Stdio};
+use std::process::Child;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread::spawn;
 use std::time::Duration;
@@ -33,8 +33,7 @@ impl Lesson {
         let pty = Pty::new();
         let record = ["drives", "record", "robot.toml", "--port", bus.port()];
         let mut command = folder.command(&[&record[..], options].concat());
-        command.stdin(pty.input()).stdout(Stdio::piped());
-        let mut child = command.stderr(Stdio::piped()).spawn().expect("tip starts");
+        let mut child = start(&mut command, pty.input());
         let (sender, said) = channel();
         let mut error = child.stderr.take().expect("piped");
         // It is read all the time: the pose is shown again and again.
@@ -80,6 +79,11 @@ impl Lesson {
     fn press(&mut self, key: u8, answer: &str) {
         self.pty.press(key);
         self.says(answer);
+    }
+
+    /// Presses keys one after the other.
+    fn types(&self, keys: &str) {
+        keys.bytes().for_each(|key| self.pty.press(key));
     }
 
     /// Waits for its end; the terminal is as it was.
@@ -222,7 +226,7 @@ fn what_was_taught_is_played() {
 /// A joint at a constant speed needs its ends only; all samples are within the error, on a program that passes every check.
 #[test]
 fn a_motion_becomes_few_set_points() {
-    let robot = leg("hold", "hold", "");
+    let robot = leg("hold", "hold", "").replace("id = ", "speed = 60\nid = ");
     let folder = Folder::new("record-motion").file("robot.toml", &robot);
     let mut bus = ServoBus::of(&robot, 0.0);
     turn_to(&mut bus, &robot, &[-30.0, 10.0, 20.0]);
@@ -239,7 +243,7 @@ fn a_motion_becomes_few_set_points() {
     let outcome = lesson.ends().expect(0);
     assert!(bus.stiff().is_empty(), "{outcome:#?}");
     // The hand of this test takes no time.
-    let fast = "deg/s, and its drive turns at 180 at most: it will lag behind there\n";
+    let fast = "deg/s, and its drive turns at 60 at most: it will lag behind there\n";
     assert!(outcome.err.contains(fast), "{outcome:#?}");
     let written = folder.read("wave.prg");
     let points: Vec<&str> = written
@@ -313,7 +317,7 @@ fn a_pose_that_is_not_certain_is_not_added() {
     let folder = Folder::new("record-stale").file("robot.toml", &robot);
     let mut bus = ServoBus::of(&robot, 0.0);
     let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
-    lesson.press(b'd', "there is no pose to delete\n");
+    lesson.press(b'd', "there is no pose yet\n");
     bus.with(|bus| bus.unplug(2));
     lesson.press(
         b' ',
@@ -499,6 +503,8 @@ fn what_cannot_be_recorded_is_refused_first() {
     let robot = leg("hold", "hold", "port = \"simulated\"");
     let folder = Folder::new("record-refused").file("robot.toml", &robot);
     let folder = folder.file("wave.prg", "mine");
+    let folder = folder.file("old.prg", "3.1\nold\nALL_STOP\nEND\n");
+    let folder = folder.file("new.prg", "3.2\nnew\nALL_STOP\nEND\n");
     let record = ["drives", "record", "robot.toml", "-o"];
     let tip = |more: &[&str], status: i32| {
         let pty = Pty::new();
@@ -509,8 +515,30 @@ fn what_cannot_be_recorded_is_refused_first() {
     let said = tip(&["wave.prg"], 1);
     assert_eq!(
         said,
-        "error: wave.prg exists: --force replaces it, -o takes another name\n"
+        "error: wave.prg exists: --at end adds to it, --force replaces it, -o takes another name\n"
     );
+    let said = tip(&["wave.prg", "--at", "end"], 1);
+    assert!(said.contains("Wrong version number"), "{said}");
+    let said = tip(&["old.prg", "--at", "end"], 1);
+    let migrate = "`tip migrate --to 3.2` rewrites it\n";
+    assert!(
+        said.contains("of edition 3.1") && said.ends_with(migrate),
+        "{said}"
+    );
+    let said = tip(&["new.prg", "--at", "6"], 1);
+    assert_eq!(
+        said,
+        "error: new.prg has no place at line 6: its END is in line 4\n"
+    );
+    let said = tip(&["new.prg", "--at", "2"], 2);
+    assert!(
+        said.contains(
+            "`2` is no place in a program: give the number of a line from 3 on, or `end`"
+        ),
+        "{said}"
+    );
+    let said = tip(&["none.prg", "--at", "end"], 1);
+    assert!(said.contains("none.prg"), "{said}");
     let said = tip(&["robot.toml", "--force"], 1);
     assert!(
         said.contains("this is robot.toml, which is being read"),
@@ -532,5 +560,223 @@ fn what_cannot_be_recorded_is_refused_first() {
         .err;
     assert_eq!(said, "error: this needs a terminal with a keyboard\n");
     assert_eq!(folder.read("wave.prg"), "mine");
-    assert_eq!(folder.names(), ["robot.toml", "wave.prg"]);
+    let names = ["new.prg", "old.prg", "robot.toml", "wave.prg"];
+    assert_eq!(folder.names(), names);
+}
+
+/// Poses have names, in the order in which they were added; a name that the program could not have is refused.
+#[test]
+fn poses_are_chosen_named_and_deleted() {
+    let robot = leg("hold", "hold", "");
+    let folder = Folder::new("record-names").file("robot.toml", &robot);
+    let mut bus = ServoBus::of(&robot, 0.0);
+    let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
+    for key in [b'n', b'd', b'g', b'p', b'<'] {
+        lesson.press(key, "there is no pose yet\n");
+    }
+    for (number, joint) in [(1, 10.0), (2, 20.0), (3, 30.0)] {
+        turn_to(&mut bus, &robot, &[joint, 0.0, 0.0]);
+        lesson.press(b' ', &format!("pose {number} is added\n"));
+    }
+    lesson.press(b'<', "pose 2 is chosen: POSE2\n");
+    lesson.types("nwavf");
+    lesson.says("name of pose 2: WAVF ");
+    // It takes back a letter.
+    lesson.types("\x7fe_out\n");
+    lesson.says("pose 2 is chosen: WAVE_OUT\n");
+    lesson.press(b'>', "pose 3 is chosen: POSE3\n");
+    lesson.press(b'>', "pose 3 is chosen: POSE3\n");
+    for refused in ["Wave_Out", "3up", "a-b", "THIRTY_LETTERS_ARE_TOO_MANY_XX"] {
+        lesson.types(&format!("n{refused}\n"));
+        let name = refused.to_uppercase();
+        lesson.says(&format!("`{name}` cannot name a pose: use a letter"));
+    }
+    lesson.types("n\n");
+    lesson.says("pose 3 is chosen: POSE3\n");
+    lesson.press(b'<', "pose 2 is chosen: WAVE_OUT\n");
+    lesson.press(b'<', "pose 1 is chosen: POSE1\n");
+    lesson.press(b'd', "pose 1 is deleted\n");
+    lesson.pty.press(b'q');
+    lesson.ends().expect(0);
+    let written = folder.read("wave.prg");
+    let values: Vec<&str> = written.lines().filter(|it| it.contains(".J1")).collect();
+    assert_eq!(
+        values,
+        [
+            "WAVE_OUT_F1.J1 = 20 ; WAVE_OUT_F1.J2 = 0 ; WAVE_OUT_F1.J3 = 0",
+            "POSE3_F1.J1 = 30 ; POSE3_F1.J2 = 0 ; POSE3_F1.J3 = 0",
+        ]
+    );
+    let check = ["check", "wave.prg", "--robot", "robot.toml"];
+    folder.tip(&check).expect(0);
+}
+
+/// The robot goes to a pose with `start` deg/s at most, holds it, and is limp after the key. What it holds on the way is no time of a
+/// lesson: with it, the way to the next pose would be slower than `start`.
+#[test]
+fn the_robot_goes_to_poses_with_torque_and_is_limp_after_a_key() {
+    for at_end in ["hold", "relax"] {
+        let robot = leg(at_end, "hold", "start = 90");
+        let folder = Folder::new(&format!("record-goes-{at_end}")).file("robot.toml", &robot);
+        let mut bus = ServoBus::of(&robot, 0.0);
+        let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
+        let taught = [[30.0, 20.0, -10.0], [-30.0, 0.0, 10.0]];
+        for (number, pose) in (1..).zip(taught) {
+            turn_to(&mut bus, &robot, &pose);
+            lesson.press(b' ', &format!("pose {number} is added\n"));
+        }
+        lesson.press(b',', "pose 1 is chosen: POSE1\n");
+        for (key, goal) in [(b'g', taught[0]), (b'p', taught[1])] {
+            lesson.press(key, "move with 90 deg/s; RETURN is the emergency stop\n");
+            lesson.says("r switches the torque off\n");
+            assert_eq!(bus.stiff(), [1, 2, 3]);
+            for (now, goal) in angles(&mut bus, &robot).into_iter().zip(goal) {
+                assert!((now - goal).abs() < 0.5, "{now} for {goal}");
+            }
+            // Other keys move and add nothing meanwhile.
+            lesson.types(" dq");
+            lesson.press(b'r', "the joints are free\n");
+            assert!(bus.stiff().is_empty(), "{at_end}");
+        }
+        lesson.pty.press(b'q');
+        lesson.ends().expect(0);
+        assert!(bus.stiff().is_empty(), "{at_end}");
+        assert!(
+            folder
+                .read("wave.prg")
+                .starts_with("3.2\nTaught by hand: 2 poses\n")
+        );
+    }
+}
+
+/// On the way RETURN is the emergency stop, ESC and signals are the ordered end; the servos have the state of each, and the program is
+/// written.
+#[test]
+fn the_way_to_a_pose_is_stopped_as_a_run_is() {
+    for (end, status, left) in [
+        ("RETURN", 3, &[][..]),
+        ("ESC", 0, &[1, 2, 3]),
+        ("SIGTERM", 143, &[1, 2, 3]),
+        ("unplugged", 3, &[1, 2, 3]),
+    ] {
+        let robot = leg("hold", "relax", "start = 5");
+        let folder = Folder::new(&format!("record-way-{end}")).file("robot.toml", &robot);
+        let mut bus = ServoBus::of(&robot, 0.0);
+        let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
+        turn_to(&mut bus, &robot, &[60.0, 0.0, 0.0]);
+        lesson.press(b' ', "pose 1 is added\n");
+        turn_to(&mut bus, &robot, &[0.0; 3]);
+        lesson.pty.press(b'g');
+        bus.await_that("J11 is on its way", |bus| {
+            bus.servos()[0].position() > 2048.0 + 10.0
+        });
+        match end {
+            "RETURN" => lesson.pty.press(RETURN),
+            "ESC" => lesson.pty.press(ESCAPE),
+            "SIGTERM" => signal(&lesson.child, Signal::TERM),
+            _ => bus.hang_up(),
+        }
+        let outcome = lesson.ends().expect(status);
+        assert_eq!(bus.stiff(), left, "{end}: {outcome:#?}");
+        // 12 s of the way were left.
+        assert!(angles(&mut bus, &robot)[0] < 30.0, "{end}");
+        assert!(
+            folder.read("wave.prg").contains("POSE1_F1.J1 = 60"),
+            "{end}"
+        );
+    }
+}
+
+/// Nothing of the program is lost but the place of the new lines: a mark, DOS lines, a text in Shift_JIS, and what follows END stay.
+#[test]
+fn poses_are_added_to_a_program_that_exists() {
+    let robot = leg("hold", "hold", "start = 90");
+    let before = b"3.2\r\n\x95\xE0\x82\xAD // a walk\r\nDEF_VAR POSE1_F1\r\nPOSE1_F1 = 1\r\nIF POSE1_F1 == 1 THEN\r\n".to_vec();
+    let after = b"  MESSAGE %POSE1_F1%\r\nENDIF\r\nEND\r\nmore\x1A".to_vec();
+    let old = [&before[..], &after].concat();
+    let folder = Folder::new("record-at").file("robot.toml", &robot);
+    let folder = folder.file("walk.prg", &old);
+    let mut bus = ServoBus::of(&robot, 0.0);
+    let mut lesson = Lesson::begin(&folder, &bus, &["-o", "walk.prg", "--at", "6"]);
+    turn_to(&mut bus, &robot, &[30.0, 20.0, -10.0]);
+    lesson.press(b' ', "pose 1 is added\n");
+    // The program has this word, and the pose another one.
+    lesson.types("npose1\n");
+    lesson.says("`POSE1` cannot name a pose");
+    lesson.pty.press(b'q');
+    let outcome = lesson.ends().expect(0);
+    let said = "walk.prg has the motion now, with 1 set points; it was tried in simulation\n";
+    assert_eq!(outcome.out, said);
+    let block = "  // Taught by hand: 1 pose
+  DEF_JOINT POSE2_F1
+  TIP_SPEED_UP 255  // all legs set off in one cycle
+
+  POSE2_F1.J1 = 30 ; POSE2_F1.J2 = 20 ; POSE2_F1.J3 = -10
+
+  SET_OMEGA_MAX ALL 90  // slowly to the first pose
+  PTP_ANGLE F1 POSE2_F1
+  WAIT_INPOS ALL
+
+  SET_OMEGA_MAX ALL 90  // as at the start of a program
+  TIP_SPEED_UP 1
+
+";
+    let block = block.replace('\n', "\r\n").into_bytes();
+    let written = std::fs::read(folder.path("walk.prg")).expect("written");
+    assert_eq!(
+        String::from_utf8_lossy(&written),
+        String::from_utf8_lossy(&[&before[..], &block, &after].concat())
+    );
+    // Another lesson goes on before END.
+    let mut lesson = Lesson::begin(&folder, &bus, &["-o", "walk.prg", "--at", "end"]);
+    lesson.press(b' ', "pose 1 is added\n");
+    lesson.pty.press(b'q');
+    lesson.ends().expect(0);
+    let written = std::fs::read(folder.path("walk.prg")).expect("written");
+    let written = String::from_utf8_lossy(&written).into_owned();
+    let at = written.find("DEF_JOINT POSE3_F1\r\n").expect("a free name");
+    assert!(
+        written[..at].contains("ENDIF\r\n")
+            && written.ends_with("TIP_SPEED_UP 1\r\n\r\nEND\r\nmore\x1A")
+    );
+    turn_to(&mut bus, &robot, &[0.0; 3]);
+    let run = [
+        "run",
+        "walk.prg",
+        "--hardware",
+        "robot.toml",
+        "--yes",
+        "--port",
+    ];
+    folder.tip(&[&run[..], &[bus.port()]].concat()).expect(0);
+    for (played, taught) in angles(&mut bus, &robot)
+        .into_iter()
+        .zip([30.0, 20.0, -10.0])
+    {
+        assert!((played - taught).abs() < 0.5, "{played} for {taught}");
+    }
+}
+
+/// A program that was changed meanwhile stays as it is, and the lines are printed.
+#[test]
+fn what_was_taught_is_printed_where_it_cannot_be_added() {
+    let robot = leg("hold", "hold", "");
+    let folder = Folder::new("record-not-added").file("robot.toml", &robot);
+    let folder = folder.file("walk.prg", "3.2\nwalk\nALL_STOP\nEND\n");
+    let bus = ServoBus::of(&robot, 0.0);
+    let mut lesson = Lesson::begin(&folder, &bus, &["-o", "walk.prg", "--at", "end"]);
+    lesson.press(b' ', "pose 1 is added\n");
+    let other = "3.2\nanother\nEND\n";
+    let folder = folder.file("walk.prg", other);
+    lesson.pty.press(b'q');
+    let outcome = lesson.ends().expect(1);
+    assert!(
+        outcome.out.contains("PTP_ANGLE F1 POSE1_F1\n"),
+        "{outcome:#?}"
+    );
+    assert!(
+        outcome.err.contains("cannot write walk.prg"),
+        "{outcome:#?}"
+    );
+    assert_eq!(folder.read("walk.prg"), other);
 }

@@ -2,7 +2,7 @@
 
 use crate::faults::terminal::Pty;
 use crate::servo_bus::ServoBus;
-use crate::support::{Folder, Outcome};
+use crate::support::{Folder, Outcome, process, start, through};
 use rustix::process::{Pid, Signal, kill_process};
 use std::io::Read;
 use std::os::unix::process::ExitStatusExt;
@@ -70,8 +70,7 @@ impl Session {
     fn start(&self, arguments: &[&str]) -> Child {
         let port = ["--port", self.bus.port()];
         let mut command = self.folder.command(&[arguments, &port].concat());
-        command.stdin(self.pty.input()).stdout(Stdio::piped());
-        command.stderr(Stdio::piped()).spawn().expect("tip starts")
+        start(&mut command, self.pty.input())
     }
 
     pub(crate) fn run(&self) -> Child {
@@ -250,18 +249,8 @@ fn a_command_that_inherits_ignored_signals_obeys_them_on_a_robot() {
         let tip = session
             .folder
             .command(&[&run[..], &[session.bus.port()]].concat());
-        let mut command = std::process::Command::new("sh");
-        command.args(["-c", "trap '' INT QUIT; exec \"$@\"", "sh"]);
-        command.arg(tip.get_program()).args(tip.get_args());
-        command.envs(
-            tip.get_envs()
-                .filter_map(|(key, value)| Some((key, value?))),
-        );
-        if let Some(folder) = tip.get_current_dir() {
-            command.current_dir(folder);
-        }
-        command.stdin(session.pty.input()).stdout(Stdio::piped());
-        let mut child = command.stderr(Stdio::piped()).spawn().expect("sh starts");
+        let shell = ["sh", "-c", "trap '' INT QUIT; exec \"$@\"", "sh"];
+        let mut child = start(&mut through(&shell, &tip), session.pty.input());
         await_go(&mut child);
         signal(&child, sent);
         let outcome = session.ended(child).expect(status);
@@ -364,13 +353,10 @@ fn a_trace_without_a_reader_comes_before_the_torque() {
 fn a_trace_that_becomes_too_long_ends_a_run_in_order() {
     let mut session = Session::new("limited", &leg("relax", "hold", ""), 0.5, WAITS);
     let script = "ulimit -f 1; exec \"$0\" run p.prg --hardware robot.toml --yes --trace t --trace-motion --port \"$1\"";
-    let mut command = std::process::Command::new("sh");
+    let mut command = process("sh");
     command.args(["-c", script, env!("CARGO_BIN_EXE_tip"), session.bus.port()]);
-    command
-        .current_dir(session.folder.path(""))
-        .stdin(session.pty.input());
-    command.stdout(Stdio::piped()).stderr(Stdio::piped());
-    let child = command.spawn().expect("a shell");
+    command.current_dir(session.folder.path(""));
+    let child = start(&mut command, session.pty.input());
     session.bus.await_that("it holds", |bus| {
         bus.servos().iter().all(|servo| servo.has_torque())
     });
@@ -504,14 +490,8 @@ fn a_robot_in_the_background_is_left_in_order() {
     let port = ["--port", session.bus.port()];
     let tip = session.folder.command(&[&run[..], &port].concat());
     let shell = "set -m; \"$@\"; echo stopped; bg; wait %1; echo over $?";
-    let mut command = std::process::Command::new("setsid");
-    command.args(["--ctty", "--wait", "sh", "-c", shell, "sh"]);
-    command.arg(tip.get_program()).args(tip.get_args());
-    let variables = tip.get_envs();
-    command.envs(variables.filter_map(|(key, value)| Some((key, value?))));
-    command.current_dir(session.folder.path(""));
-    command.stdin(session.pty.input()).stdout(Stdio::piped());
-    let mut child = command.stderr(Stdio::piped()).spawn().expect("a shell");
+    let wrapper = ["setsid", "--ctty", "--wait", "sh", "-c", shell, "sh"];
+    let mut child = start(&mut through(&wrapper, &tip), session.pty.input());
     await_go(&mut child);
     let port = session.bus.port();
     let processes = std::fs::read_dir("/proc").expect("Linux").flatten();

@@ -4,11 +4,13 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tip_drives::TorqueGuard;
 use tip_drives::described::{self, Described};
-use tip_drives::drives::Policy;
+use tip_drives::drives::{Policy, Problem};
 use tip_drives::guard::{Request, Step};
 use tip_drives::operator::{self, Operator};
 use tip_drives::port::AnyPort;
 use tip_drives::simulated::MemoryPort;
+use tip_runtime::hardware::JointCommand;
+use tip_runtime::model::Part;
 
 /// A robot of two joints.
 fn robot(at_end: &str) -> Described {
@@ -38,7 +40,7 @@ id = 2
 fn connected(robot: &Described, signal: &Arc<AtomicUsize>) -> TorqueGuard<AnyPort, Operator> {
     let port = AnyPort::Memory(Box::new(MemoryPort::new(robot.simulated())));
     let drives = robot.drives(port).expect("right");
-    let operator = Operator::of_signals(Arc::clone(signal));
+    let operator = Operator::of_signals(Arc::clone(signal)).of_robot(robot);
     let mut guard = TorqueGuard::new(drives, operator, robot.period);
     guard.connect().expect("both are there");
     guard
@@ -78,4 +80,109 @@ fn servos_that_are_not_left_as_they_were_to_be_are_named() {
         );
         assert_eq!(left.to_string(), said);
     }
+}
+
+/// Two legs 200 mm apart, of one link of 180 mm each, which turn in a plane: at 60 deg towards each other they cross.
+fn two_legs(collisions: &str) -> Described {
+    let text = format!(
+        "name = \"two\"
+joint = [{{ axis = \"z\", link = [20, 0, 0], limits = [-90, 90] }}, {{ axis = \"z\", link = [180, 0, 0], limits = [-90, 90] }}]
+leg = [{{ base = [0, 100, 0] }}, {{ base = [0, -100, 0] }}]
+[bus]
+servo = \"AX-12\"
+{collisions}
+[[drive]]
+joint = \"J11\"
+id = 1
+[[drive]]
+joint = \"J12\"
+id = 2
+[[drive]]
+joint = \"J21\"
+id = 3
+[[drive]]
+joint = \"J22\"
+id = 4
+"
+    );
+    let description = described::read("robot.toml", text.as_bytes()).expect("right");
+    Described::new(&description).expect("it has a bus")
+}
+
+/// Goals of the servos as their registers have them: register 30 of an AX, two bytes.
+fn goals(guard: &mut TorqueGuard<AnyPort, Operator>) -> Vec<i32> {
+    let AnyPort::Memory(port) = guard.drives_mut().bus_mut().port_mut() else {
+        panic!("they are simulated");
+    };
+    let servos = port.bus.servos().iter();
+    let goals = servos.map(|servo| servo.register(30, 2).expect("it has goals"));
+    goals.map(|goal| goal as i32).collect()
+}
+
+/// Turns both legs towards each other by a degree in each cycle, up to this angle. Returns the problem, and the goals of the servos
+/// after the last cycle and the one before.
+fn close(
+    robot: &Described,
+    to: u32,
+) -> (
+    Option<Problem>,
+    [Vec<i32>; 2],
+    TorqueGuard<AnyPort, Operator>,
+) {
+    let mut guard = connected(robot, &Arc::default());
+    assert_eq!(guard.approach(&robot.initial, 30.0), Ok(Step::Arrived));
+    let mut before = goals(&mut guard);
+    for angle in 1..=to {
+        let angle = f64::from(angle);
+        guard.read_cycle().expect("they are well");
+        let angles = [0.0, -angle, 0.0, angle].map(JointCommand::at);
+        let written = guard.write_cycle(&angles, robot.period);
+        let now = goals(&mut guard);
+        if let Err(failure) = written {
+            return (Some(failure.problem), [before, now], guard);
+        }
+        before = now;
+        guard.wait();
+    }
+    let now = goals(&mut guard);
+    (None, [before, now], guard)
+}
+
+/// The lines of both links are parallel to x at 0 deg and 200 mm apart; with radii of 9 mm (5 % of 180 mm) they meet where
+/// 2 · 180 · sin(angle) = 200 - 18, at 30.4 deg.
+#[test]
+fn a_command_to_a_collision_never_reaches_the_servos() {
+    let (problem, [before, after], mut guard) = close(&two_legs(""), 60);
+    let Some(Problem::Collides(gap)) = problem else {
+        panic!("{problem:?}");
+    };
+    assert!(gap.distance < 0.0, "{gap:?}");
+    assert_eq!(gap.parts, [Part::Link(2, 2), Part::Link(1, 2)]);
+    // An AX has 1024 counts for 300 deg, and 512 is the middle.
+    let at = |angle: f64| (512.0 + angle * 1024.0 / 300.0).round() as i32;
+    let last_apart = [at(0.0), at(-30.0), at(0.0), at(30.0)];
+    for goals in [before, after] {
+        let differ = goals
+            .iter()
+            .zip(last_apart)
+            .map(|(one, other)| (one - other).abs());
+        assert!(differ.max() <= Some(1), "{goals:?} are not {last_apart:?}");
+    }
+    // The emergency holds it where it is; no goal goes on to the collision.
+    guard.stop_cycle().expect("the port is there");
+    guard.leave();
+    assert!(guard.is_stopped());
+    let [_, one, _, other] = goals(&mut guard)[..] else {
+        panic!("four servos");
+    };
+    assert!(one >= at(-31.0) && other <= at(31.0), "{one} {other}");
+}
+
+#[test]
+fn a_robot_whose_file_says_warn_goes_on() {
+    let (problem, _, _) = close(&two_legs("collisions = \"warn\""), 60);
+    assert_eq!(problem, None);
+    // Near misses go on with the default, too.
+    let (problem, _, _) = close(&two_legs(""), 30);
+    assert_eq!(problem, None);
 }

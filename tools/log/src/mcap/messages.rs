@@ -400,6 +400,11 @@ protobuf! { same:
         margin_mm: required double f64 = 2,
         falls: required int64 i64 = 3,
     }
+    Clearance {
+        timestamp: required message Timestamp = 1,
+        clearance_mm: required double f64 = 2,
+        parts: repeated string String = 3,
+    }
 }
 
 /// Returns the file of the own messages.
@@ -448,6 +453,16 @@ pub(super) fn margin(time: u64, frame: &Frame, falls: u32) -> Option<Margin> {
         timestamp: Timestamp::of(time),
         margin_mm: frame.margin?,
         falls: falls.into(),
+    })
+}
+
+/// Returns a `tip.Clearance`.
+pub(super) fn clearance(time: u64, frame: &Frame) -> Option<Clearance> {
+    let gap = frame.gap?;
+    Some(Clearance {
+        timestamp: Timestamp::of(time),
+        clearance_mm: gap.distance,
+        parts: gap.parts.map(|part| part.to_string()).into(),
     })
 }
 

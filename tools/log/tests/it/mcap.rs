@@ -202,6 +202,7 @@ fn each_topic_has_its_schema_and_as_many_messages_as_the_run() {
             ("/tf", "foxglove.FrameTransforms", frames),
             ("/tf_static", "foxglove.FrameTransforms", 1),
             ("/tip/body", "tip.Body", frames),
+            ("/tip/clearance", "tip.Clearance", frames),
             ("/tip/loads", "tip.Loads", frames),
             ("/tip/margin", "tip.Margin", frames),
             ("/tip/messages", "foxglove.Log", said),

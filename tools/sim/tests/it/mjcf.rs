@@ -336,3 +336,38 @@ fn every_inertia_is_that_of_a_body_with_some_thickness() {
     let inertia = inertia.and_then(|hinge| hinge.next_sibling_element());
     assert_eq!(numbers(inertia.expect("it weighs"), "fullinertia"), link);
 }
+
+/// Capsules push legs apart as in the plant with mass: 5 % of links of 50, 240 and 200 mm, and no pairs of one leg or of two hips.
+#[test]
+fn links_of_two_legs_push_each_other_as_in_the_plant() {
+    let text = mjcf::export(&named("titan8"));
+    let model = read(&text);
+    for (joint, radius) in [(1, 0.0025), (2, 0.012), (3, 0.01)] {
+        for leg in 1..=4 {
+            let capsule = one(&model, "geom", &format!("link{leg}{joint}_capsule"));
+            near(&numbers(capsule, "size"), &[radius]);
+            assert_eq!(capsule.attribute("contype"), None, "its class has it");
+        }
+    }
+    let excluded: Vec<(&str, &str)> = all(&model, "exclude")
+        .into_iter()
+        .filter_map(|pair| Some((pair.attribute("body1")?, pair.attribute("body2")?)))
+        .collect();
+    let links = |leg: u8| (1..=3).map(move |joint| format!("link{leg}{joint}"));
+    for one in (1..=4).flat_map(links) {
+        for other in (1..=4).flat_map(links).take_while(|other| *other != one) {
+            let same_leg = one.as_bytes()[4] == other.as_bytes()[4];
+            let hips = one.ends_with('1') && other.ends_with('1');
+            let is_excluded = excluded.contains(&(&other, &one));
+            assert_eq!(is_excluded, same_leg || hips, "{other} {one}");
+        }
+    }
+    // 4 legs of 3 pairs, and 6 pairs of hips.
+    assert_eq!(excluded.len(), 18);
+    // A robot that is bolted down touches nothing.
+    let text = mjcf::export(&named("trifinger"));
+    let model = read(&text);
+    let capsule = one(&model, "geom", "link12_capsule");
+    let bits = ["contype", "conaffinity"].map(|bits| capsule.attribute(bits));
+    assert_eq!((bits, all(&model, "exclude").len()), ([Some("0"); 2], 0));
+}

@@ -230,7 +230,7 @@ fn gaits_do_not_fall_whatever_the_sticks_say() {
 /// The impulses that examples/published/README.md states, for 0.2 s from the side while the robot walks.
 #[test]
 fn gaits_stand_a_push() {
-    for (gait, force) in GAITS.iter().zip([100, 15, 30, 15, 100]) {
+    for (gait, force) in GAITS.iter().zip([200, 30, 30, 15, 300]) {
         let cycles = gait.at(0.2);
         let events = format!(
             "{REST}, {}:VR1=10, {}:push {force} 0 0 for {cycles}, {}:halt",

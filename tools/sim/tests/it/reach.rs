@@ -127,7 +127,9 @@ fn a_path_that_is_said_to_leave_the_reach_stops_the_program() {
     let mut warned = 0;
     for (first, second) in pairs() {
         let text = format!("PTP F1 {first}\nWAIT_INPOS F1\nPTP F1 {second}\nWAIT_INPOS F1");
-        if said("titan8", &text).is_empty() {
+        // Some targets are within the body.
+        let is_path = |said: &String| !said.starts_with("W138");
+        if !said("titan8", &text).iter().any(is_path) {
             continue;
         }
         warned += 1;
@@ -207,4 +209,106 @@ fn a_relative_target_is_checked_where_its_start_is_known() {
     let stopped = run.ending();
     let is_so = |it: &Ending| matches!(it, Ending::Emergency(it) if it.fault == Fault::OutOfReach(Target::Foot(1)));
     assert!(stopped.as_ref().is_some_and(is_so), "{stopped:?}");
+}
+
+/// The thighs of F1 and F3, 240 mm long with bases 402 mm apart, turn towards each other by 60 degrees and cross; by 30 degrees
+/// they stay apart.
+#[test]
+fn targets_at_which_legs_cross() {
+    let cross = "PTP_ANGLE J11 -60\nPTP_ANGLE J31 60\n";
+    let found = |statements: &str| -> Vec<String> {
+        let said = said("titan8", statements);
+        let ours = said.into_iter().filter(|said| said.starts_with("W138"));
+        ours.collect()
+    };
+    let said = found(&format!("{cross}WAIT_INPOS ALL"));
+    let [one] = said.as_slice() else {
+        panic!("{said:?}")
+    };
+    assert!(one.starts_with("W138 PTP_ANGLE J31 60: link3"), "{one}");
+    assert!(
+        one.contains(" overlap by ") && one.contains("may_touch"),
+        "{one}"
+    );
+    let apart = "PTP_ANGLE J11 -30\nPTP_ANGLE J31 30\nWAIT_INPOS ALL";
+    for good in [
+        apart,
+        // One leg alone crosses nothing.
+        "PTP_ANGLE J11 -60\nWAIT_INPOS ALL",
+        // The other leg is not there any more when this one arrives.
+        "PTP_ANGLE J31 60\nWAIT_INPOS ALL\nPTP_ANGLE J11 -60\nPTP_ANGLE J31 0\nWAIT_INPOS ALL",
+        // Nobody waits for them.
+        cross,
+        // A program may stop before it.
+        &format!("IF KB_HIT THEN\nEXIT\nENDIF\n{cross}WAIT_INPOS ALL"),
+        &format!("DEF_VAR A\nA = 1\nPTP_ANGLE J21 A\n{cross}WAIT_INPOS ALL"),
+    ] {
+        assert_eq!(found(good), [""; 0], "{good}");
+    }
+    // Straight on, the same posture is said once, and again when a leg is sent there again.
+    let twice = format!("{cross}WAIT_INPOS ALL\nWAIT_INPOS ALL\nPTP_ANGLE J31 60\nWAIT_INPOS ALL");
+    assert_eq!(found(&twice).len(), 2);
+}
+
+#[test]
+fn a_robot_that_is_said_to_hit_itself_does_so() {
+    let (mut warned, mut silent) = (0, 0);
+    for (first, second) in pairs() {
+        let text = format!("PTP F1 {first}\nWAIT_INPOS F1\nPTP F1 {second}\nWAIT_INPOS F1");
+        let said = said("titan8", &text);
+        if said.iter().any(|said| !said.starts_with("W138")) {
+            continue;
+        }
+        let robot = Robot::named("titan8").expect("a robot");
+        let text = format!("3.1\nhits\n{text}\nEND\n");
+        let loaded = tipc::load("hits.prg", text.as_bytes(), &robot.options());
+        let program = loaded.program.expect("it loads");
+        let mut run = Run::new(Interpreter::new(program), robot).expect("it fits");
+        // In the cycle of the second PTP and in the last one the foot is at its target.
+        let mut at_target = Vec::new();
+        while run.ending().is_none() && run.cycles() < 5000 {
+            let line = run.program().line(run.program().at());
+            run.cycle();
+            if line == 5 || run.ending().is_some() {
+                let clearance = run.clearance().expect("its links are compared");
+                at_target.push(clearance.now.distance);
+            }
+        }
+        let deepest = at_target.into_iter().fold(f64::INFINITY, f64::min);
+        match said.is_empty() {
+            // A foot comes to 2 mm of its target.
+            true => assert!(deepest > -5.0, "{first} to {second}: {deepest} mm"),
+            false => assert!(deepest < 5.0, "{first} to {second}: {deepest} mm"),
+        }
+        warned += u32::from(!said.is_empty());
+        silent += u32::from(said.is_empty());
+    }
+    assert!(warned >= 3 && silent >= 10, "{warned} {silent}");
+}
+
+/// A shin that is folded back by nearly 180 degrees lies along the thigh, and reaches the link before it.
+#[test]
+fn a_leg_that_hits_itself_does_so_anywhere() {
+    let text = "name = \"folds\"\njoint = [\n\
+        { axis = \"z\", link = [100, 0, 0], limits = [-170, 170] },\n\
+        { axis = \"z\", link = [200, 0, 0], limits = [-170, 170] },\n\
+        { axis = \"z\", link = [250, 0, 0], limits = [-179, 179] },\n]\n\
+        leg = [{ base = [0, 0, 0] }]\n";
+    let described = tipc::description::parse("folds.toml", text.as_bytes()).expect("a robot");
+    let robot = Robot::described(&described);
+    let codes = |angle: &str| -> Vec<&str> {
+        let text = format!(
+            "3.1\nt\nL1:\nIF KB_HIT THEN\nEXIT\nENDIF\nPTP_ANGLE F1 0 0 {angle}\nGOTO L1:\nEND\n"
+        );
+        let mut loaded = tipc::load("folds.prg", text.as_bytes(), &robot.options());
+        assert!(loaded.program.is_some(), "{:?}", loaded.diagnostics);
+        robot.warn(&mut loaded);
+        loaded
+            .diagnostics
+            .iter()
+            .map(|found| found.code.id())
+            .collect()
+    };
+    // At 179 deg the foot is 50 mm behind the second joint, in the first link; at 90 deg it is beside it.
+    assert_eq!((codes("179"), codes("90")), (vec!["W138"], vec![]));
 }

@@ -523,3 +523,20 @@ fn circles_of_threads_are_found_where_the_main_program_does_not_wait() -> Outcom
     }
     Ok(())
 }
+
+/// A robot without a body cannot be pushed, whatever simulates it: nothing recommends the plant that it has.
+#[test]
+fn nothing_pushes_a_robot_that_is_bolted_down() -> Outcome {
+    for plant in [Plant::Simulated, Plant::Dynamic, Plant::Echo] {
+        for name in ["trifinger", "hand"] {
+            let robot = Robot::named(name)?.with_plant(plant);
+            let run = Run::new(load("p.prg", "3.1\nt\nEND\n", &robot)?, robot)?;
+            let refused = run
+                .events("3:push 1 0 0 for 2")
+                .expect_err("it is bolted down");
+            let said = "'push 1 0 0 for 2' is for walking robots: this one is bolted down";
+            assert_eq!(refused.to_string(), said, "{name} {plant:?}");
+        }
+    }
+    Ok(())
+}

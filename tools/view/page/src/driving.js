@@ -1,7 +1,8 @@
 // Driving a robot on servos: the button that is held, signs of life, the sticks and a gamepad, and what the servos measure.
 
-import { element, fixed, make } from './dom.js';
+import { element, fixed } from './dom.js';
 import { gamepad } from './gamepad.js';
+import { Servos } from './servos.js';
 import { whenSpoken, word } from './words.js';
 
 /** Time between two signs of life: ms. */
@@ -24,6 +25,7 @@ export class Driving {
   constructor(requests) {
     this.requests = requests;
     this.robot = undefined;
+    this.servos = new Servos();
     this.sticks = [REST, REST, REST];
     // The number of the press that lasts, and of the last one.
     [this.press, this.last] = [0, 0];
@@ -41,6 +43,7 @@ export class Driving {
   take(robot) {
     const isFirst = !this.robot;
     this.robot = robot;
+    this.servos.take(robot);
     if (isFirst) this.begin();
     if (!robot.driver) this.release();
     this.show();
@@ -130,16 +133,6 @@ export class Driving {
     button.setAttribute('aria-pressed', Boolean(this.press));
     element('take').hidden = driver;
     element('give').hidden = !driver;
-    this.showServos();
-  }
-
-  showServos() {
-    const { servos, answers, late } = this.robot;
-    const cell = (value, decimals, times = 1) => make('td', { textContent: value === null ? '?' : fixed(value * times, decimals) });
-    const rows = servos.map(({ joint, id, angle, load, voltage, temperature }) =>
-      make('tr', {}, make('th', { scope: 'row', textContent: joint }), make('td', { textContent: id }), cell(angle, 1), cell(load, 0, 100), cell(voltage, 1), cell(temperature, 0)),
-    );
-    element('servo-rows').replaceChildren(...rows);
-    element('servo-bus').textContent = word('servoBus', answers[1], answers[0], late);
+    this.servos.show(this.robot);
   }
 }

@@ -115,6 +115,22 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
+  /** Returns the first constant that the text assigns to a variable, with its line and place; undefined if there is none. */
+  constantOf(name) {
+    const literal = name.replace('.', '\\.');
+    const found = new RegExp(`^([ \\t]*(?:[a-z]\\w*:[ \\t]*)?${literal}[ \\t]*=[ \\t]*)([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[-+]?\\d+)?)(?=[ \\t]*(?:$|//|;))`, 'im').exec(this.text);
+    if (!found) return undefined;
+    const from = found.index + found[1].length;
+    return { value: Number(found[2]), line: this.view.state.doc.lineAt(from).number, from, to: from + found[2].length };
+  }
+
+  /** Writes another value in the place of the first constant that the text assigns to a variable. Returns what people are told. */
+  writeConstant(name, value) {
+    const { from, to, line } = this.constantOf(name);
+    this.view.dispatch({ changes: { from, to, insert: String(value) } });
+    return word('written', line, `${name} = ${value}`);
+  }
+
   /**
    * Sends the present text, so that the session has it before the next request. Resolves to false if the text changed
    * meanwhile.

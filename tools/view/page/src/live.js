@@ -80,7 +80,11 @@ function build(requests, recording, stage) {
   const shown = state(player, (scalar) => {
     showTab('plots-tab');
     charts().showVariable(scalar);
-  }, (name, value) => requests.send({ do: 'event', event: `set ${name}=${value}` }));
+  }, {
+    assign: (name, value) => requests.send({ do: 'event', event: `set ${name}=${value}` }),
+    constant: (name) => editor.constantOf(name),
+    write: (name, value) => notice(editor.writeConstant(name, value)),
+  });
   const driving = new Driving(requests);
   const knobs = controls(requests, recording, driving);
 

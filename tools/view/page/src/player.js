@@ -6,9 +6,14 @@ const SELDOM = 90;
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 
 export class Player {
-  /** Creates the player of a recording, and of another one to compare with it, which may be longer. */
-  constructor(recording, other) {
-    Object.assign(this, { recording, other });
+  /**
+   * Creates the player of a recording, and of another one to compare with it, which may be longer and whose program differs by
+   * `changes`.
+   */
+  constructor(recording, other, changes) {
+    Object.assign(this, { recording, other, changes });
+    // Undefined if times of both runs are equal.
+    this.alignment = undefined;
     this.time = recording.endOf(0);
     this.speed = 1;
     this.playing = false;
@@ -31,9 +36,31 @@ export class Player {
     return this.recording.countAt(this.end);
   }
 
-  /** The end of the longer recording, ms. */
+  /** The end of the recording that ends last, ms. */
   get end() {
-    return Math.max(this.recording.duration, this.other?.duration ?? 0);
+    return Math.max(this.recording.duration, this.other ? this.ownTime(this.other.duration) : 0);
+  }
+
+  /** Returns the time of the other run that belongs to a time, ms. */
+  otherTime(time) {
+    return this.alignment?.toOther(time) ?? time;
+  }
+
+  /** Returns the time that belongs to a time of the other run, ms. */
+  ownTime(time) {
+    return this.alignment?.toOwn(time) ?? time;
+  }
+
+  /** The runs with their present times and cycles, which stay at their ends. */
+  get runs() {
+    const at = (recording, time) => ({ recording, time: Math.min(time, recording.duration), cycle: recording.cycleAt(time) });
+    return [at(this.recording, this.time), ...(this.other ? [at(this.other, this.otherTime(this.time))] : [])];
+  }
+
+  /** The marks of both runs in order of time: `{ cycle, kind, value, run, time }`. `time` is that of the player, ms. */
+  get marks() {
+    const of = ({ recording }, run) => recording.marks.map((mark) => ({ ...mark, run, time: run ? this.ownTime(recording.endOf(mark.cycle)) : recording.endOf(mark.cycle) }));
+    return this.runs.flatMap(of).sort((one, other) => one.time - other.time);
   }
 
   /** Calls a function at each change of the time. */
@@ -78,6 +105,12 @@ export class Player {
     this.goToTime(this.recording.endOf(Math.min(Math.max(cycle, 0), this.lastPlace)));
   }
 
+  /** Goes to a cycle of one of the runs; the first one is 0. */
+  goToMoment({ cycle, run = 0 }) {
+    if (run) this.goToTime(this.ownTime(this.other.endOf(cycle)));
+    else this.goTo(cycle);
+  }
+
   step(cycles) {
     this.pause();
     this.goTo(this.place + cycles);
@@ -85,7 +118,7 @@ export class Player {
 
   /** Goes to the next mark, or back to the previous one. */
   skip(way) {
-    const cycles = this.recording.marks.map((mark) => mark.cycle);
+    const cycles = this.marks.map(({ time }) => this.recording.countAt(time));
     const ordered = way > 0 ? cycles : cycles.toReversed();
     const next = ordered.find((cycle) => (cycle - this.place) * way > 0);
     this.pause();

@@ -1,8 +1,9 @@
 // Plots of signals and stances of the feet, on one axis of time.
 
 import uPlot from 'uplot';
+import { namesOf } from './comparison.js';
 import { clockTime, colour, element, fixed, legColour, make } from './dom.js';
-import { counterpart, firstChoice, series, signalGroups, valueOf } from './signals.js';
+import { counterpart, firstChoice, inStrips, series, signalGroups, valueOf } from './signals.js';
 import { shown } from './source.js';
 import { whenSpoken, word } from './words.js';
 
@@ -13,6 +14,8 @@ const EDGE = 28;
 const HEIGHT = 108;
 /** Opacity of the lines of the compared run, as two digits after a colour. */
 const FAINT = '70';
+/** Height of a leg in the diagram of the gait, px. */
+const ROW = 14;
 const DASHES = [[], [6, 3], [2, 2], [8, 2, 2, 2]];
 
 export class Plots {
@@ -69,7 +72,7 @@ export class Plots {
         const before = mark === undefined ? undefined : valueOf(this.recording, signal, mark);
         const change = value === undefined || before === undefined ? '' : `  Δ ${signed(said(value - before))}`;
         const same = this.other && counterpart(this.other, signal);
-        const compared = same ? ` | ${said(valueOf(this.other, same, looked))}` : '';
+        const compared = same ? ` | ${said(valueOf(this.other, same, this.player.otherTime(looked)))}` : '';
         outputs[n].textContent = said(value) + compared + change;
       });
     }
@@ -121,10 +124,22 @@ export class Plots {
     });
     this.charts = this.groups
       .map((group) => ({ group, signals: group.signals.filter(({ key }) => this.chosen.has(key)) }))
-      .filter(({ signals }) => signals.length)
-      .map(({ group, signals }) => this.chart(group, signals));
+      .flatMap(({ group, signals }) => inStrips(signals).map((signals) => this.chart(group, signals)));
     this.drawGait();
     this.movePlayheads();
+  }
+
+  /** Plots the differences of two runs, or both runs over each other. */
+  subtract(on) {
+    this.subtracts = on;
+    this.build();
+  }
+
+  /** Takes other times of the run that is compared. */
+  retime() {
+    this.zoomed = false;
+    this.range = this.whole;
+    this.build();
   }
 
   /** Takes another run, whose program and robot may have other signals. */
@@ -136,7 +151,8 @@ export class Plots {
 
   say() {
     const title = this.recording.robot.body ? 'gait' : 'touch';
-    element('gait-title').textContent = word(title);
+    const names = this.other && namesOf([this.recording, this.other]);
+    element('gait-title').textContent = names ? `${word(title)} (${word('aboveAndBelow', ...names)})` : word(title);
     this.gait.setAttribute('aria-label', word(title));
     this.groups = signalGroups(this.recording);
     this.listSignals();
@@ -168,7 +184,9 @@ export class Plots {
       return make('span', { className: 'signal' }, dot, signal.name(), outputs[n]);
     });
     const others = this.other ? signals.map((signal) => counterpart(this.other, signal)).filter(Boolean) : [];
-    const box = make('figure', { className: 'chart' }, make('figcaption', {}, make('b', { textContent: title }), ...legend));
+    const names = this.other && namesOf([this.recording, this.other]);
+    const which = names ? [word(this.subtracts ? 'otherMinusOne' : 'strongAndFaint', ...names)] : [];
+    const box = make('figure', { className: 'chart' }, make('figcaption', {}, make('b', { textContent: title }), ...which, ...legend));
     this.box.append(box);
     const axis = { stroke: colour('muted'), grid: { stroke: colour('line'), width: 1 }, ticks: { show: false }, font: '11px system-ui, sans-serif' };
     const steps = uPlot.paths.stepped({ align: 1 });
@@ -181,7 +199,7 @@ export class Plots {
         cursor: { sync: { key: 'run' }, points: { show: false }, drag: { x: true, y: false } },
         scales: { x: { time: false, range: () => this.range } },
         axes: [{ ...axis, size: 22, values: (_, ticks) => ticks.map((tick) => `${tick} s`) }, { ...axis, size: GUTTER, gap: 4, space: 22 }],
-        series: [{}, ...[...signals.map((signal) => [signal, '', 1.4]), ...others.map((signal) => [signal, FAINT, 1])].map(([signal, opacity, width]) => ({
+        series: [{}, ...[...signals.map((signal) => [signal, '', 1.4]), ...(this.subtracts ? [] : others).map((signal) => [signal, FAINT, 1])].map(([signal, opacity, width]) => ({
           stroke: this.stroke(signal) + opacity,
           width,
           dash: DASHES[(signal.dash ?? 0) % DASHES.length],
@@ -197,7 +215,7 @@ export class Plots {
           }],
         },
       },
-      others.length ? uPlot.join([series(this.recording, signals), series(this.other, others)]) : series(this.recording, signals),
+      this.data(signals, others),
       box,
     );
     const [head, reference] = ['playhead', 'reference'].map((className) => make('div', { className }));
@@ -214,6 +232,26 @@ export class Plots {
     plot.root.setAttribute('role', 'img');
     plot.root.setAttribute('aria-label', `${title}: ${signals.map((signal) => signal.name()).join(', ')}`);
     return { group, signals, outputs, plot, head, reference, box };
+  }
+
+  /** Returns times (s) and values of the signals of a chart, and of the run that is compared or the differences from it. */
+  data(signals, others) {
+    const { player, recording, other } = this;
+    const own = series(recording, signals);
+    if (!other) return own;
+    if (!this.subtracts) {
+      const [times, ...values] = series(other, others);
+      return uPlot.join([own, [times.map((time) => player.ownTime(time * 1000) / 1000), ...values]]);
+    }
+    const [times] = own;
+    const less = (signal, same, time) => {
+      const [value, compared] = [valueOf(recording, signal, time), same && valueOf(other, same, player.otherTime(time))];
+      return value === undefined || compared === undefined ? null : compared - value;
+    };
+    return [times, ...signals.map((signal) => {
+      const same = counterpart(other, signal);
+      return times.map((time) => less(signal, same, time * 1000));
+    })];
   }
 
   stroke(signal) {
@@ -267,14 +305,17 @@ export class Plots {
     this.tell();
   }
 
-  /** Draws a row for each leg, filled while its foot stands. */
+  /** Draws a row for each leg, filled while its foot stands; that of a run which is compared is under it. */
   drawGait() {
-    const { recording, gait } = this;
+    const { recording, other, player, gait } = this;
     const legs = recording.robot.legs.length;
-    const known = recording.entries('contacts').cycles.length && recording.has('load.0');
+    const isKnown = (run) => run?.entries('contacts').cycles.length && run.has('load.0');
+    const runs = other ? [recording, other] : [recording];
+    const known = runs.some(isKnown);
     element('gait-box').hidden = !known;
     if (!known) return;
-    const [row, ratio] = [14, devicePixelRatio];
+    const ratio = devicePixelRatio;
+    const row = ROW * (other ? 1.4 : 1);
     gait.style.height = `${legs * row + 2}px`;
     const width = gait.clientWidth;
     [gait.width, gait.height] = [width * ratio, (legs * row + 2) * ratio];
@@ -285,16 +326,24 @@ export class Plots {
     pen.font = '11px system-ui, sans-serif';
     pen.textBaseline = 'middle';
     pen.textAlign = 'right';
+    const height = (row - 4) / runs.length;
     for (let leg = 0; leg < legs; leg++) {
-      const top = leg * row + 1;
+      const top = leg * row + 3;
+      pen.globalAlpha = 1;
       pen.fillStyle = colour('text');
-      pen.fillText(`F${leg + 1}`, GUTTER - 8, top + row / 2);
-      pen.fillStyle = colour('well');
-      pen.fillRect(GUTTER, top + 2, width - GUTTER - EDGE, row - 4);
-      pen.fillStyle = legColour(leg);
-      for (const [begin, end] of recording.stances(leg)) {
-        pen.fillRect(x(begin), top + 2, x(end) - x(begin), row - 4);
-      }
+      pen.fillText(`F${leg + 1}`, GUTTER - 8, top + row / 2 - 2);
+      runs.forEach((run, n) => {
+        pen.globalAlpha = 1;
+        pen.fillStyle = colour('well');
+        pen.fillRect(GUTTER, top + n * height, width - GUTTER - EDGE, height);
+        if (!isKnown(run)) return;
+        pen.fillStyle = legColour(leg);
+        pen.globalAlpha = n ? 0.5 : 1;
+        for (const stance of run.stances(leg)) {
+          const [begin, end] = n ? stance.map((time) => player.ownTime(time)) : stance;
+          pen.fillRect(x(begin), top + n * height, x(end) - x(begin), height);
+        }
+      });
     }
   }
 }

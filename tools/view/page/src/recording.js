@@ -12,13 +12,16 @@ const NOTHING = { cycles: [], values: [] };
 const START = [0, 0, 20];
 
 export class Recording {
-  /** Reads the recording of a run that is over: its updates, one a line, deflated, in base64. */
+  /**
+   * Reads the recording of a run that is over: its updates, one a line, deflated, in base64. A last line is the diff from the program
+   * of another run to that of this one.
+   */
   static async of(base64) {
     const updates = new TextDecoder().decode(await inflated(bytesOf(base64))).split('\n');
-    const [run, more, { outcome, summary }] = updates.map((update) => JSON.parse(update));
+    const [run, more, { outcome, summary }, diff] = updates.map((update) => JSON.parse(update));
     const recording = new Recording(run);
     recording.take(more);
-    return Object.assign(recording, { outcome, summary });
+    return Object.assign(recording, { outcome, summary, diff });
   }
 
   /** Creates the recording of a run that begins with an update `run`. */
@@ -208,7 +211,9 @@ export class Recording {
     const slips = this.robot.legs.flatMap((_, leg) => of(`slip.${leg}`, 'slip', (distance, cycle) => ({ leg, distance: this.largestSlip(leg, cycle, distance) })));
     const stop = this.outcome.how === 'emergency' ? [{ cycle: this.cycles - 1, kind: 'fault' }] : [];
     const messages = of('message', 'message').filter(({ value }) => value !== '');
-    return [...messages, ...of('fall', 'fall'), ...slips, ...of('event', 'event'), ...stop].sort((one, other) => one.cycle - other.cycle);
+    // A collision is one event, whichever pair is the nearest in it.
+    const collisions = of('collision', 'collision').filter(({ value, cycle }) => value && !this.at('collision', cycle - 1));
+    return [...messages, ...of('fall', 'fall'), ...collisions, ...slips, ...of('event', 'event'), ...stop].sort((one, other) => one.cycle - other.cycle);
   }
 
   /** How far a foot that had slipped so far in a cycle slipped until it was lifted: mm. */

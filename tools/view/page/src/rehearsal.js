@@ -6,5 +6,5 @@ export const REHEARSAL = {
   robot: { legs: [{ base: [0, 0, 0], joints: [joint] }], body: { x: [0, 1], y: [0, 1], z: [0, 1] } },
   scene: { height: 0, slope: [0, 0], blocks: [], objects: [] },
   between: () => ({}),
-  posture: () => ({}),
+  posture: () => ({ angles: [[0]] }),
 };

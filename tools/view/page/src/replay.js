@@ -1,5 +1,6 @@
 // The page that contains the recording of a run.
 
+import { Alignment, changesOf, namesOf } from './comparison.js';
 import { element } from './dom.js';
 import { exporting } from './export.js';
 import { showFigures } from './figures.js';
@@ -20,14 +21,15 @@ export async function openReplay(held) {
   const recording = await Recording.of(held.textContent);
   const compared = element('compared').textContent;
   const other = compared && (await Recording.of(compared));
-  player = new Player(recording, other);
+  const changes = other ? changesOf(other.diff) : [];
+  player = new Player(recording, other, changes);
   element('title').textContent = recording.script.title || recording.script.name;
   whenSpoken(() => {
     const ghost = other ? ` · ${word('ghost', other.script.name)}` : '';
     element('file').textContent = `${recording.script.name} · ${recording.robot.name}${ghost}`;
   });
   stage?.begin(recording);
-  if (other) stage?.compare(other);
+  if (other) stage?.compare(other, (time) => player.otherTime(time));
   // Charts are built after the first picture of the robot.
   let plots;
   const charts = () => (plots ??= new Plots(player));
@@ -39,11 +41,30 @@ export async function openReplay(held) {
   source(player, plot);
   state(player, plot);
   whenSpoken(() => {
-    element('outcome').textContent = other ? [recording, other].map((run) => `${stem(run)}: ${endOf(run)}`).join(' · ') : endOf(recording);
+    const runs = other ? [recording, other] : [recording];
+    const names = namesOf(runs);
+    element('outcome').textContent = other ? runs.map((run, n) => `${names[n]}: ${endOf(run)}`).join(' · ') : endOf(recording);
     element('outcome').classList.toggle('bad', recording.outcome.how === 'emergency' || other?.outcome?.how === 'emergency');
   });
   whenSpoken(() => listMarks(player));
   whenSpoken(() => showFigures(player, recording.summary, other || undefined));
+  if (other) {
+    const [align, subtract] = ['plot-align', 'plot-difference'].map(element);
+    align.hidden = subtract.hidden = false;
+    const press = (button, act) => button.addEventListener('click', () => {
+      const on = button.getAttribute('aria-pressed') !== 'true';
+      button.setAttribute('aria-pressed', on);
+      act(on);
+    });
+    press(subtract, (on) => charts().subtract(on));
+    press(align, (on) => {
+      player.alignment = on ? new Alignment(recording, other, changes) : undefined;
+      listMarks(player);
+      charts().retime();
+      strip.draw();
+      player.goToTime(player.time);
+    });
+  }
   if (stage) {
     player.onMove(() => stage.show(player.time));
     exporting(player, stage);
@@ -76,11 +97,6 @@ export async function openReplay(held) {
   requestAnimationFrame(() => setTimeout(charts));
   // A page around this one may ask it to play immediately.
   if (dataset.plays !== undefined) player.play();
-}
-
-/** Returns the name of a run's file without folders and extension. */
-function stem({ script }) {
-  return script.name.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
 }
 
 /** Returns the cycle of an address such as `#cycle=611`. */

@@ -23,13 +23,23 @@ export class RobotSolid extends Solid {
     const parts = [trunk, ...links].flatMap((parts, bone) => parts.map((part) => ({ ...part, bone })));
     super(parts, new MeshLambertMaterial({ vertexColors: true }));
     this.robot = robot;
+    this.overlapping = [];
+    this.recolour();
+  }
+
+  /** Shows parts that overlap, such as link12 and body, in the colour of what is bad. */
+  collide(parts) {
+    if (parts.join() === this.overlapping.join()) return;
+    this.overlapping = parts;
     this.recolour();
   }
 
   /** Applies the colours of the page's scheme. */
   recolour() {
     const chosen = new Map();
-    this.paint(({ name, leg }) => {
+    const names = ['body', ...this.robot.legs.flatMap((leg, l) => leg.joints.map((_, j) => `link${l + 1}${j + 1}`))];
+    this.paint(({ name, leg, bone }) => {
+      if (this.overlapping.includes(names[bone])) return colour('bad');
       const key = `${name}${leg ?? ''}`;
       if (!chosen.has(key)) chosen.set(key, leg === undefined ? colour(name) : legColour(leg));
       return chosen.get(key);

@@ -63,11 +63,13 @@
 //   clock       [cycle, time, period]: this cycle began at a time (ms), and from it on each takes a period (ms)
 //   step        the step of the main program      thread.N    the step of a thread, or null where it is over
 //   set.N       the value of a variable, from 0   timer.N     [runs, time]: its time, or that of the robot at which it was 0 (ms)
+//   read.N      the first line, but for messages, that read it after an event had set it
 //   lamp.N      whether it is on                  command.N   the last command for a leg, as a text
 //   message     its text                          locks       the joints that are locked, with blanks between
 //   flags       those that are up, with blanks between        modes       [[target, mode]]
 //   contacts    a number, whose lowest bit says whether the first foot or finger touches something
 //   fall        [count, margin, kind]: falls so far, mm       slip.N      how far a foot, from 0, had slipped when that was noticed (mm)
+//   collision   the two parts of the robot that overlap, such as ['link12', 'body'], or null where that is over
 //   event       what happened from outside, as a text
 
 /** Sends requests, and calls `refused(answer)` for each one that is refused. */

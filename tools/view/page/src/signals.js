@@ -3,6 +3,9 @@
 import { countUpTo } from './search.js';
 import { word } from './words.js';
 
+/** Largest number of joints in a strip of plots. */
+const JOINTS = 6;
+
 /** Returns the groups of a recording with their signals: name, unit, and values by frame or by change. */
 export function signalGroups(recording) {
   const { robot } = recording;
@@ -12,6 +15,7 @@ export function signalGroups(recording) {
   const group = (key, title, unit, signals) => ({ key, title, unit, signals });
   const groups = [
     group('margin', 'margin', 'mm', columns([{ column: 'margin', name: () => word('margin') }])),
+    group('clearance', 'clearance', 'mm', columns([{ column: 'clearance', name: () => word('clearance') }])),
     group('body', 'position6', 'mm', columns(['x', 'y', 'z'].map((name, n) => ({ column: `pose.${n}`, name: () => name })))),
     group('turn', 'position6', '°', columns(['roll', 'pitch', 'yaw'].map((name, n) => ({ column: `pose.${n + 3}`, name: () => name })))),
     group('objects', 'objects', 'mm', columns(recording.scene.objects.map((_, n) => ({ column: `thing.${n}.1`, name: () => `${word('object', n + 1)} y` })))),
@@ -33,6 +37,12 @@ export function firstChoice(recording) {
   const arm = recording.robot.legs.flatMap((leg, l) => leg.joints.map((_, j) => `angle.${l * leg.joints.length + j}`));
   if (recording.has('margin')) return new Set(walker);
   return new Set(recording.has('load.0') ? hand : arm);
+}
+
+/** Returns signals in strips of plots: those of many joints leg by leg. */
+export function inStrips(signals) {
+  if (signals.length <= JOINTS || signals.some(({ dash }) => dash === undefined)) return signals.length ? [signals] : [];
+  return [...new Set(signals.map(({ leg }) => leg))].map((of) => signals.filter(({ leg }) => leg === of));
 }
 
 /** Returns the value of a signal at a time (ms); undefined after the end of the run, and for a variable before it is assigned. */

@@ -1,5 +1,6 @@
-// The listing of the program, with the line that runs and those of its threads.
+// The listing of the program, with the line that runs, those of its threads, and that of a run that is compared.
 
+import { lineBefore, namesOf } from './comparison.js';
 import { element, fixed, make } from './dom.js';
 import { spark } from './spark.js';
 import { whenSpoken, word } from './words.js';
@@ -90,6 +91,10 @@ export function source(player, plot) {
   let others = [];
   const lightThreads = () => {
     const threads = recording.threadsAt(player.cycle);
+    if (player.other) {
+      const [, { recording: other, cycle }] = player.runs;
+      threads.push({ name: namesOf([recording, other])[1], line: lineBefore(player.changes, other.markedLineAt(cycle)) });
+    }
     for (const row of others) delete row.dataset.threads;
     others = [];
     for (const { name, line } of threads) {
@@ -108,11 +113,13 @@ export function shown(value) {
   return Number.isInteger(value) ? String(value) : fixed(value, Math.abs(value) < 10 ? 3 : 2);
 }
 
-function goToLine(player, line) {
-  const cycle = player.recording.nextRunOf(line, player.cycle);
+/** Goes to the next cycle in which one of the runs, the first one by default, runs a line. */
+export function goToLine(player, line, run = 0) {
+  const { recording, cycle: now } = player.runs[run];
+  const cycle = recording.nextRunOf(line, now);
   if (cycle === undefined) return;
   player.pause();
-  player.goTo(cycle);
+  player.goToMoment({ cycle, run });
 }
 
 function row(text, number, recording, byName) {

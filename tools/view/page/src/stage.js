@@ -58,7 +58,7 @@ export class Stage {
     this.marks = new Marks(this.size, robot.legs.length);
     this.labels = new Labels(robot);
     this.world.add(this.solid, this.surroundings, this.marks, this.labels);
-    if (this.other) this.compare(this.other);
+    if (this.other) this.compare(this.other, this.timeOf);
     this.recolour();
     this.resize();
     this.resetView();
@@ -67,9 +67,9 @@ export class Stage {
     if (before) release(before);
   }
 
-  /** Shows the robot of another recording as well, as a ghost. */
-  compare(other) {
-    this.other = other;
+  /** Shows the robot of another recording as well, as a ghost; `timeOf` gives its time. */
+  compare(other, timeOf) {
+    Object.assign(this, { other, timeOf });
     this.ghost = new RobotSolid(other.robot);
     this.ghost.castShadow = false;
     Object.assign(this.ghost.material, { transparent: true, opacity: 0.35, depthWrite: false });
@@ -115,10 +115,18 @@ export class Stage {
   focus() {
     if (this.robot.planar) return new Vector3(0, -this.size * 0.32, 0);
     const place = this.place ?? this.recording.between(0);
-    const { pose } = this.recording.posture(place);
+    const { pose } = this.postureAt(place);
     const [x, y] = pose ?? [0, 0];
     const height = this.recording.scene.height + this.size * (pose ? 0.2 : 0.1);
     return new Vector3(x, y, height).applyQuaternion(this.world.quaternion);
+  }
+
+  /** Returns the posture at a place between frames. A robot whose pose nobody knows, such as a real one, stands on the floor. */
+  postureAt(place) {
+    const posture = this.recording.posture(place);
+    if (posture.pose || !this.robot.body) return posture;
+    const lowest = Math.min(...feet(this.robot, posture).map(({ z }) => z));
+    return { ...posture, pose: [0, 0, this.recording.scene.height - lowest, 0, 0, 0] };
   }
 
   resize() {
@@ -137,12 +145,13 @@ export class Stage {
     const { recording } = this;
     this.time = time;
     this.place = recording.between(time);
-    this.posture = recording.posture(this.place);
+    this.posture = this.postureAt(this.place);
     this.solid.pose(this.posture);
+    this.solid.collide(recording.at('collision', recording.cycleAt(time)) ?? []);
     if (this.ghost) {
-      const posture = this.other.posture(this.other.between(time));
+      const posture = this.other.posture(this.other.between(this.timeOf(time)));
       // Recordings of real robots have no pose. Then both robots are shown at the same place.
-      if (!this.posture.pose || !posture.pose) posture.pose = this.posture.pose;
+      if (!recording.has('pose.0') || !posture.pose) posture.pose = this.posture.pose;
       this.ghost.pose(posture);
     }
     this.surroundings.move(this.place, this.posture.pose);
@@ -169,7 +178,7 @@ export class Stage {
   /** Returns the places of the feet in a frame, which are computed once. */
   feetOf(frame) {
     this.known ??= [];
-    this.known[frame] ??= feet(this.robot, this.recording.posture({ before: frame, after: frame, share: 0 }));
+    this.known[frame] ??= feet(this.robot, this.postureAt({ before: frame, after: frame, share: 0 }));
     return this.known[frame];
   }
 

@@ -2,6 +2,7 @@
 
 import { clockTime, element, fixed, make } from './dom.js';
 import { feet } from './kinematics.js';
+import { namesOf } from './comparison.js';
 import { countUpTo } from './search.js';
 import { shown } from './source.js';
 import { label, whenSpoken, word } from './words.js';
@@ -15,8 +16,11 @@ const NEAR = 0.5;
 
 const legName = (recording, leg) => `F${leg + 1}`;
 
-/** Shows the state. `assign(name, value)` assigns a variable; it is absent in a replay. */
-export function state(player, plot, assign) {
+/**
+ * Shows the state. A replay has no `live`: its `assign(name, value)` assigns a variable, `constant(name)` returns what the text of the
+ * program assigns to it, `{ line, value }`, and `write(name, value)` writes another value there.
+ */
+export function state(player, plot, live) {
   const { recording } = player;
   let [devices, lamps, cells, modes, joints, places] = [[], [], [], [], [], []];
   /** Creates the rows for the robot and the program of a run that begins. */
@@ -37,20 +41,25 @@ export function state(player, plot, assign) {
       return place;
     });
     cells = recording.script.scalars.map((name, scalar) => {
-      const [value, from] = [make('td'), make('button', { type: 'button' })];
+      const [value, from, write] = [make('td'), make('button', { type: 'button' }), make('button', { type: 'button', hidden: true })];
       from.addEventListener('click', () => {
         const { cycle } = player;
-        const set = recording.lastOf(`set.${scalar}`, cycle);
+        const { set, isOutside, read } = origin(name, scalar, cycle);
         player.pause();
+        if (isOutside) {
+          player.goTo(read);
+          return;
+        }
         // At the cycle of the assignment, the button leads to the one before.
         player.goTo((set === cycle ? recording.lastOf(`set.${scalar}`, cycle - 1) : set) ?? set);
       });
-      if (assign) assignable(value, name, assign);
+      if (live) assignable(value, name, live.assign);
+      write.addEventListener('click', () => live.write(name, recording.at(`set.${scalar}`, player.cycle)));
       const button = make('button', { type: 'button', textContent: name });
       button.addEventListener('click', () => plot(scalar));
-      return { value, button, name, from };
+      return { value, button, name, from, write };
     });
-    element('variables').replaceChildren(...cells.map(({ value, button, from }) => make('tr', {}, make('th', { scope: 'row' }, button), value, make('td', { className: 'from' }, from))));
+    element('variables').replaceChildren(...cells.map(({ value, button, from, write }) => make('tr', {}, make('th', { scope: 'row' }, button), value, make('td', { className: 'from' }, from, write))));
     nameCells();
   };
   const nameCells = () => {
@@ -61,10 +70,12 @@ export function state(player, plot, assign) {
   const show = () => {
     const { cycle } = player;
     element('message').textContent = recording.messageAt(cycle);
-    const alarm = alarmAt(player);
-    element('alert').hidden = !alarm;
-    element('alert').textContent = alarm;
-    element('now-line').textContent = recording.markedLineAt(cycle) ?? '–';
+    const { runs } = player;
+    const names = runs.length > 1 ? namesOf(runs.map(({ recording }) => recording)) : [''];
+    const alarms = runs.map((run, n) => [names[n], alarmAt(run)]).filter(([, alarm]) => alarm);
+    element('alert').hidden = !alarms.length;
+    element('alert').textContent = alarms.map((alarm) => alarm.filter(Boolean).join(': ')).join(' · ');
+    element('now-line').textContent = runs.map(({ recording, cycle }) => recording.markedLineAt(cycle) ?? '–').join(' | ');
     showMargin(player);
   };
   const showState = () => {
@@ -87,19 +98,28 @@ export function state(player, plot, assign) {
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
     const events = recording.entries('event');
-    cells.forEach(({ value, name, from }, scalar) => {
-      const set = recording.lastOf(`set.${scalar}`, cycle);
-      const outside = events.cycles.some((cycle, n) => cycle === set && events.values[n].startsWith(`set ${name}=`));
-      from.hidden = set === undefined || outside;
-      if (!from.hidden) {
-        const line = recording.lineAt(set);
-        from.textContent = `${word('line')} ${line}`;
-        label(from, 'setBy', name, line);
+    cells.forEach(({ value, name, from, write }, scalar) => {
+      const { set, isOutside, read } = origin(name, scalar, cycle);
+      from.hidden = set === undefined;
+      from.disabled = isOutside && read === undefined;
+      if (from.disabled) {
+        from.textContent = word('unread');
+        label(from, 'unreadYet', name);
+      } else if (!from.hidden) {
+        const line = isOutside ? recording.at(`read.${scalar}`, cycle) : recording.lineAt(set);
+        from.textContent = word(isOutside ? 'readIn' : 'inLine', line);
+        label(from, isOutside ? 'readBy' : 'setBy', name, line);
+      }
+      const constant = isOutside ? live?.constant(name) : undefined;
+      write.hidden = !constant || constant.value === recording.at(`set.${scalar}`, cycle);
+      if (!write.hidden) {
+        write.textContent = word('writeIt');
+        label(write, 'writeInto', name, constant.line);
       }
       const now = recording.at(`set.${scalar}`, cycle);
       const text = now === undefined ? '–' : shown(now);
       // The user edits the value.
-      if (value.contains(document.activeElement)) return;
+      if (value.firstElementChild) return;
       value.classList.toggle('changed', value.textContent !== '' && value.textContent !== text);
       value.textContent = text;
     });
@@ -111,6 +131,13 @@ export function state(player, plot, assign) {
         return make('kbd', { className: fresh ? 'fresh' : '', textContent: text });
       }),
     );
+  };
+  /** Returns the cycle in which a variable got its value up to another one; if it came from outside, also the first that read it. */
+  const origin = (name, scalar, cycle) => {
+    const [set, last] = ['set', 'read'].map((key) => recording.lastOf(`${key}.${scalar}`, cycle));
+    const events = recording.entries('event');
+    const isOutside = events.cycles.some((cycle, n) => cycle === set && events.values[n].startsWith(`set ${name}=`));
+    return { set, isOutside, read: isOutside && last >= set ? last : undefined };
   };
   const showJoints = () => {
     const place = recording.between(player.time);
@@ -211,21 +238,26 @@ function inWords(modes) {
   return said.map((words) => words.join(' ')).join(', ');
 }
 
-function showMargin({ recording, cycle, time }) {
-  const margin = recording.value('margin', recording.between(time));
-  element('margin-box').hidden = margin === undefined;
-  element('falls-box').hidden = margin === undefined;
-  if (margin === undefined) return;
-  element('now-margin').textContent = `${fixed(margin, 0)} mm`;
-  element('now-margin').classList.toggle('bad', margin < 0);
-  const [falls] = recording.at('fall', cycle) ?? [0];
-  element('now-falls').textContent = falls;
-  element('now-falls').classList.toggle('bad', falls > 0);
+function showMargin({ runs }) {
+  const known = runs.map(({ recording, cycle, time }) => {
+    const margin = recording.value('margin', recording.between(time));
+    return margin === undefined ? [] : [margin, (recording.at('fall', cycle) ?? [0])[0]];
+  });
+  const isKnown = known.some(({ length }) => length);
+  element('margin-box').hidden = element('falls-box').hidden = !isKnown;
+  if (!isKnown) return;
+  const margins = known.map(([margin]) => (margin === undefined ? '–' : fixed(margin, 0)));
+  element('now-margin').textContent = `${margins.join(' | ')} mm`;
+  element('now-margin').classList.toggle('bad', known.some(([margin]) => margin < 0));
+  element('now-falls').textContent = known.map(([, falls]) => falls ?? '–').join(' | ');
+  element('now-falls').classList.toggle('bad', known.some(([, falls]) => falls > 0));
 }
 
 /** Returns the text about a fall or fault that has just happened. */
 function alarmAt({ recording, cycle, time }) {
   if (recording.isStoppedAt(cycle)) return word('fault');
+  const parts = recording.at('collision', cycle);
+  if (parts) return word('overlap', ...parts);
   const fall = recording.lastOf('fall', cycle);
   if (fall === undefined || time - recording.endOf(fall) >= ANNOUNCED) return '';
   const [, , kind] = recording.at('fall', cycle);
@@ -249,26 +281,29 @@ export function endOf({ outcome }) {
   return word(key, outcome.how, clockTime(outcome.time)) + why;
 }
 
-/** Fills the list of events of a run. */
+/** Fills the list of events of a run, or of two. */
 export function listMarks(player) {
-  const { recording } = player;
+  const runs = player.runs.map(({ recording }) => recording);
+  const names = runs.length > 1 && namesOf(runs);
   const words = {
     message: (text) => text,
     event: (text) => text,
     fall: ([, margin, kind]) => `${word(kind ?? 'fell')} (${fixed(margin, 1)} mm)`,
-    slip: ({ leg, distance }) => `${word('slipped', legName(recording, leg))} (${fixed(distance, 1)} mm)`,
-    fault: () => `${word('fault')}: ${recording.outcome.error}`,
+    collision: (parts) => word('overlap', ...parts),
+    slip: ({ leg, distance }) => `${word('slipped', legName(player.recording, leg))} (${fixed(distance, 1)} mm)`,
+    fault: (_, { outcome }) => `${word('fault')}: ${outcome.error}`,
   };
-  const rows = recording.marks.map((mark) => {
+  const rows = player.marks.map((mark) => {
+    const recording = runs[mark.run];
     const button = make('button', { type: 'button', className: `mark ${mark.kind}` });
     button.append(
       make('time', { textContent: clockTime(recording.told(recording.endOf(mark.kind === 'fall' ? mark.cycle - 1 : mark.cycle))) }),
       make('span', { className: 'kind', textContent: '' }),
-      make('span', { textContent: words[mark.kind](mark.value) }),
+      make('span', { textContent: (names ? `${names[mark.run]}: ` : '') + words[mark.kind](mark.value, recording) }),
     );
     button.addEventListener('click', () => {
       player.pause();
-      player.goTo(mark.cycle);
+      player.goToMoment(mark);
     });
     return make('li', {}, button);
   });

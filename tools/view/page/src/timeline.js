@@ -4,7 +4,7 @@ import { clockTime, colour, element, make } from './dom.js';
 import { SPEEDS } from './player.js';
 import { label, whenSpoken, word } from './words.js';
 
-const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', fault: 'bad' };
+const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', collision: 'bad', fault: 'bad' };
 
 export function timeline(player) {
   const { recording } = player;
@@ -33,14 +33,16 @@ export function timeline(player) {
     slider.value = place;
     const text = `${word('cycle')} ${place}, ${time}`;
     slider.setAttribute('aria-valuetext', text);
-    element('now-cycle').textContent = `${place} / ${lastPlace}`;
+    const [own, ...others] = player.runs;
+    const shown = others.length ? [own, ...others].map(({ recording, cycle }) => `${cycle} / ${recording.cycles - 1}`) : [`${place} / ${lastPlace}`];
+    element('now-cycle').textContent = shown.join(' | ');
     element('now-time').textContent = time;
   });
   return { draw: () => drawMarks(strip, player) };
 }
 
 /** Draws the marks of a run on the strip under the slider. */
-function drawMarks(canvas, { recording, lastPlace }) {
+function drawMarks(canvas, { recording, lastPlace, marks }) {
   const { clientWidth: width, clientHeight: height } = canvas;
   const ratio = devicePixelRatio;
   [canvas.width, canvas.height] = [width * ratio, height * ratio];
@@ -50,9 +52,10 @@ function drawMarks(canvas, { recording, lastPlace }) {
   const inset = 8;
   const first = recording.first ?? 0;
   const x = (cycle) => inset + ((width - 2 * inset) * (cycle - first)) / Math.max(lastPlace - first, 1);
-  for (const { cycle, kind } of recording.marks) {
-    const grave = kind === 'fall' || kind === 'fault';
+  for (const { time, kind, run } of marks) {
+    const grave = MARKS[kind] === 'bad';
+    pen.globalAlpha = run ? 0.45 : 1;
     pen.fillStyle = colour(MARKS[kind]);
-    pen.fillRect(x(cycle) - (grave ? 1.5 : 0.75), grave ? 0 : height * 0.35, grave ? 3 : 1.5, height);
+    pen.fillRect(x(recording.countAt(time)) - (grave ? 1.5 : 0.75), grave ? 0 : height * 0.35, grave ? 3 : 1.5, height);
   }
 }

@@ -74,6 +74,8 @@ pub struct ServoState {
     pub temperature: Option<f64>,
     /// Cycles since its last answer.
     pub age: u32,
+    /// Answers that were missing or damaged.
+    pub missing: u64,
 }
 
 /// The state of a robot on servos.
@@ -87,6 +89,10 @@ pub struct RobotState {
     pub answers: [u64; 2],
     /// Cycles that started late.
     pub late: u64,
+    /// Mean time of reading and writing in the last cycles, ms; `None` while nothing is commanded.
+    pub bus: Option<f64>,
+    /// Sampling time, ms.
+    pub period: f64,
     /// Time from the arrival of an emergency stop until the servos were told, ms.
     pub stopped_in: Option<f64>,
     /// What is wrong with the robot.
@@ -101,6 +107,8 @@ impl RobotState {
             servos: Vec::new(),
             answers: [0; 2],
             late: 0,
+            bus: None,
+            period: 0.0,
             stopped_in: None,
             problem: None,
         }

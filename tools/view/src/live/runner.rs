@@ -37,7 +37,8 @@ impl Runner {
         let run = Run::new(Interpreter::new(program.clone()), robot.clone())
             .map_err(RecordError::Mismatch)?
             .with_events(scripted)
-            .map_err(RecordError::Refused)?;
+            .map_err(RecordError::Refused)?
+            .followed();
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = scripted.all().to_vec();
         let mut runner = Runner {

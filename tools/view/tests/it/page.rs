@@ -18,7 +18,11 @@ fn record(text: &str) -> Recording {
 
 /// The updates as they are packed.
 fn unpacked(recording: &Recording) -> Vec<Value> {
-    let bytes = miniz_oxide::inflate::decompress_to_vec(&recording.packed()).expect("deflated");
+    lines(&recording.packed())
+}
+
+fn lines(packed: &[u8]) -> Vec<Value> {
+    let bytes = miniz_oxide::inflate::decompress_to_vec(packed).expect("deflated");
     let text = String::from_utf8(bytes).expect("UTF-8");
     let updates = text.lines().map(serde_json::from_str);
     updates.collect::<Result<_, _>>().expect("JSON")
@@ -131,10 +135,32 @@ fn a_page_is_whole_and_always_the_same() {
         page.contains("Permission is hereby granted"),
         "licences of what it holds"
     );
-    let begin = page.find("id=\"recording\">").expect("the recording") + "id=\"recording\">".len();
-    let base64 = page[begin..].split('<').next().expect("its end");
+    assert_eq!(part(&page, "recording"), recording.packed());
+}
+
+/// The bytes of a script element.
+fn part(page: &str, id: &str) -> Vec<u8> {
+    let (_, rest) = page
+        .split_once(&format!("id=\"{id}\">"))
+        .expect("it is there");
+    let base64 = rest.split('<').next().expect("its end");
     let bytes = base64::engine::general_purpose::STANDARD.decode(base64);
-    assert_eq!(bytes.expect("base64"), recording.packed());
+    bytes.expect("base64")
+}
+
+#[test]
+fn a_comparison_holds_the_other_run_and_the_lines_in_which_the_programs_differ() {
+    let (one, other) = (
+        record(WALKS),
+        record(&WALKS.replace("STAND_UP 60", "STAND_UP 50")),
+    );
+    let page = one.to_comparison(&other);
+    assert_eq!(part(&page, "recording"), one.packed());
+    let held = lines(&part(&page, "compared"));
+    assert_eq!(held[..3], unpacked(&other));
+    let diff = "--- x<y>.prg\n+++ x<y>.prg\n@@ -5 +5 @@\n-STAND_UP 60\n+STAND_UP 50\n";
+    assert_eq!(held[3], json!(diff));
+    assert_eq!(one.program_diff(&one), "");
 }
 
 #[test]
@@ -165,6 +191,7 @@ fn no_table_leaves_its_place() {
         ranking: json!({ "goals": [], "where": [] }),
         command: "tip view '<b>.csv'".to_owned(),
         every: 2,
+        is_served: true,
     };
     let page = sweep_page("TIP-DATA</title>.csv", &table);
     assert_eq!(page.matches("<script").count(), 2);
@@ -178,6 +205,7 @@ fn no_table_leaves_its_place() {
         "ranking": { "goals": [], "where": [] },
         "command": "tip view '<b>.csv'",
         "every": 2,
+        "is_served": true,
     });
     assert_eq!(data(&page), expected);
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
+use tip_runtime::model::Part;
 use tip_runtime::plant::{Scene, Simulation};
 use tip_runtime::record::{JsonLines, MotionRecord};
 use tip_sim::{Events, FallKind, Interpreter, Robot, Run, tipc};
@@ -103,6 +104,30 @@ fn each_thing_is_kept_in_its_cycle() {
     );
     assert_eq!(recording.outcome, Outcome::Program("EXIT".to_owned()));
     assert_eq!((recording.time(1), recording.time(14)), (20.0, 280.0));
+}
+
+#[test]
+fn what_events_set_is_kept_and_the_first_step_that_reads_it() {
+    // A step is a cycle; that of cycle 5, in line 9, reads A for the first time after the event, besides a message. Nothing reads B.
+    let text = "3.1\nReads\nDEF_VAR A, B\nA = 1\nB = 0\nREM\nREM\nMESSAGE %A%\nB = A\nB = A\nEND\n";
+    let recording = record(text, &titan(), "1:set A=5, 2:set B=7", LONG);
+    let names = &recording.script.scalars;
+    let reads = entries!(recording, Occurrence::Read { scalar, line } => (&*names[*scalar], *line));
+    assert_eq!(reads, [(5, ("A", 9))]);
+    let sets =
+        entries!(recording, Occurrence::Assigned { scalar, value } => (&*names[*scalar], *value));
+    let expected = [
+        (0, ("A", 1.0)),
+        (1, ("B", 0.0)),
+        (1, ("A", 5.0)),
+        (2, ("B", 7.0)),
+        (5, ("B", 5.0)),
+    ];
+    assert_eq!(sets, expected);
+    assert!(recording.log.is_sorted_by_key(|entry| entry.cycle));
+    // Without a change nothing is kept.
+    let recording = record(text, &titan(), "", LONG);
+    assert!(entries!(recording, Occurrence::Read { .. } => ()).is_empty());
 }
 
 #[test]
@@ -216,6 +241,7 @@ fn a_trace_gives_the_recording_of_its_run() {
         (example("walk/motions/walk.prg"), titan(), "900:halt"),
         (example("six-legs/motions/tripod.prg"), hexapod, ""),
         (example("grasp/motions/grasp.prg"), hand(), ""),
+        (CROSSING.to_owned(), titan(), ""),
         (slower.to_owned(), titan(), ""),
         (
             "3.1\nFails\nREM\nPTP F1 0 0 0\nEND\n".to_owned(),
@@ -247,8 +273,8 @@ fn a_trace_gives_the_recording_of_its_run() {
                 (expected.cycle, expected.pose, &expected.angles)
             );
             assert_eq!(
-                (read.margin, &read.loads),
-                (expected.margin, &expected.loads)
+                (read.margin, read.gap, &read.loads),
+                (expected.margin, expected.gap, &expected.loads)
             );
         }
         assert_eq!(read.outcome, expected.outcome);
@@ -256,7 +282,7 @@ fn a_trace_gives_the_recording_of_its_run() {
         let told = |recording: &Recording| {
             let mut told = entries!(recording, what @ (
                 Occurrence::Step(_) | Occurrence::Message(_) | Occurrence::Assigned { .. } | Occurrence::Lamp(..)
-                | Occurrence::Command(_) | Occurrence::Fall { .. } | Occurrence::Slip { .. }) => what.clone());
+                | Occurrence::Command(_) | Occurrence::Fall { .. } | Occurrence::Collision(_) | Occurrence::Slip { .. }) => what.clone());
             for (_, what) in &mut told {
                 match what {
                     Occurrence::Slip { distance, .. } => *distance = distance.round(),
@@ -267,11 +293,74 @@ fn a_trace_gives_the_recording_of_its_run() {
             told
         };
         assert_eq!(told(&read), told(&expected));
+        let figures = |recording: &Recording| {
+            (
+                recording.summary.clearance.clone(),
+                recording.summary.collisions,
+            )
+        };
+        assert_eq!(figures(&read), figures(&expected));
         assert_eq!(
             (read.cycles, read.clock.len()),
             (expected.cycles, expected.clock.len())
         );
     }
+}
+
+/// Both legs on the left turn towards each other and back again: their thighs cross, and part.
+const CROSSING: &str = "3.1\nCrosses\nPTP_ANGLE J11 -55\nPTP_ANGLE J31 55\nSLEEP 2000\nPTP_ANGLE J11 0\nPTP_ANGLE J31 0\nSLEEP 2000\nEND\n";
+
+#[test]
+fn a_collision_is_kept_from_its_first_cycle_to_its_last() {
+    let recording = record(CROSSING, &titan(), "", LONG);
+    let found = entries!(recording, Occurrence::Collision(parts) => *parts);
+    let [(begin, Some(parts)), .., (end, None)] = found[..] else {
+        panic!("{found:?}")
+    };
+    // Links of F1 and F3, which the program turns.
+    assert!(
+        matches!(parts, [Part::Link(3, _), Part::Link(1, _)]),
+        "{parts:?}"
+    );
+    assert!(
+        found[..found.len() - 1]
+            .iter()
+            .all(|(_, parts)| parts.is_some())
+    );
+    // Frames are sampled in each cycle of 20 ms: those between overlap, and no others.
+    for frame in &recording.frames {
+        let gap = frame.gap.expect("its links are compared");
+        let is_within = (begin..end).contains(&frame.cycle);
+        assert_eq!(gap.distance < 0.0, is_within, "{gap:?} in {}", frame.cycle);
+    }
+    let collisions = recording.summary.collisions.expect("they are counted");
+    assert_eq!(u64::from(collisions.cycles), end - begin);
+    assert_eq!(collisions.first.map(|first| first.cycle), Some(begin));
+    let least = recording.summary.clearance.as_ref().expect("measured");
+    let deepest = recording.frames.iter().filter_map(|frame| frame.gap);
+    let deepest = deepest.map(|gap| gap.distance).fold(0.0, f64::min);
+    assert_eq!((least.value, least.unit), (deepest, "mm"));
+    let pages = recording.updates();
+    let [one, other] = parts;
+    assert!(
+        pages.contains(&format!(r#"["{one}","{other}"]"#)),
+        "the page names them"
+    );
+    assert!(
+        pages.contains(r#""clearance""#),
+        "the page plots the distance"
+    );
+}
+
+#[test]
+fn a_robot_that_stays_apart_has_no_collisions() {
+    let recording = record("3.1\nStands\nSLEEP 200\nEND\n", &titan(), "", LONG);
+    assert_eq!(
+        entries!(recording, Occurrence::Collision(parts) => parts),
+        []
+    );
+    let collisions = recording.summary.collisions.expect("they are counted");
+    assert_eq!((collisions.cycles, collisions.first), (0, None));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::thin::{Sample, on_cycles, thin};
 use std::fmt::Write as _;
 use tip_runtime::command::Target;
-use tip_runtime::model::Range;
+use tip_runtime::model::{Range, Standards};
 
 /// Limits of the robot that the program moves.
 #[derive(Clone, Debug)]
@@ -18,8 +18,23 @@ pub(super) struct Limits {
     pub(super) slow: f64,
     /// The highest speed of each joint, deg/s.
     pub(super) speeds: Vec<f64>,
-    /// `OMEGA_DOT_MAX` at the start of a program, deg/s².
-    pub(super) acceleration: f64,
+    /// The parameters at the start of a program.
+    pub(super) standards: Standards,
+}
+
+/// A pose that was taught.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Pose {
+    /// The beginning of the names of its variables, in capital letters.
+    pub(super) name: String,
+    pub(super) sample: Sample,
+}
+
+impl Pose {
+    /// Returns the name of the variable of a leg, from 1.
+    pub(super) fn variable(name: &str, leg: usize) -> String {
+        format!("{name}_{}", Target::Foot(leg as u8))
+    }
 }
 
 /// The program of a motion.
@@ -48,14 +63,18 @@ impl Limits {
 
     /// Returns the program that goes from pose to pose and stops at each. A way takes the time between the poses, but is neither
     /// slower than the way to the first pose nor faster than the joints can turn.
-    pub(super) fn poses(&self, poses: &[Sample]) -> Motion {
+    pub(super) fn poses(&self, poses: &[Pose]) -> Motion {
         let count = match poses.len() {
             1 => "1 pose".to_owned(),
             count => format!("{count} poses"),
         };
         let mut text = format!("3.2\nTaught by hand: {count}\n");
-        let written: Vec<Vec<f64>> = poses.iter().map(|it| self.written(&it.angles)).collect();
+        let written: Vec<Vec<f64>> = poses
+            .iter()
+            .map(|pose| self.written(&pose.sample.angles))
+            .collect();
         let legs = |pose: usize| (1..).zip(written[pose].chunks(self.of_leg));
+        let name = |pose: usize, leg| Pose::variable(&poses[pose].name, leg);
         // Writing to a String cannot fail.
         for pose in 0..poses.len() {
             let names: Vec<String> = legs(pose).map(|(leg, _)| name(pose, leg)).collect();
@@ -78,11 +97,14 @@ impl Limits {
                 None => (self.slow, "slowly to the first pose".to_owned()),
                 Some(before) => {
                     let way = farthest(&written[before], &written[pose]);
-                    let time = (poses[pose].time - poses[before].time) / 1000.0;
+                    let time = (poses[pose].sample.time - poses[before].sample.time) / 1000.0;
                     let speed = self.speed(way, time);
                     (
                         speed,
-                        format!("{:.1} s", duration(way, speed, self.acceleration)),
+                        format!(
+                            "{:.1} s",
+                            duration(way, speed, self.standards.omega_dot_max)
+                        ),
                     )
                 }
             };
@@ -99,10 +121,20 @@ impl Limits {
         }
     }
 
+    /// Returns a program that sets what it has changed as it is at the start of a program, for the lines that are to follow.
+    pub(super) fn with_standards(&self, text: &str) -> String {
+        let speed = self.standards.omega_max;
+        format!(
+            "{}\nSET_OMEGA_MAX ALL {speed}  // as at the start of a program\nTIP_SPEED_UP 1\nEND\n",
+            text.trim_end_matches("END\n")
+        )
+    }
+
     /// Returns the speed limit with which a joint takes a time, s, for a way, deg: in tenths, and one that this robot can have.
     fn speed(&self, way: f64, time: f64) -> f64 {
-        let reach = self.acceleration * time;
-        let left = reach * reach - 4.0 * self.acceleration * way;
+        let acceleration = self.standards.omega_dot_max;
+        let reach = acceleration * time;
+        let left = reach * reach - 4.0 * acceleration * way;
         let fits = match left >= 0.0 {
             true => (reach - left.sqrt()) / 2.0,
             false => f64::INFINITY,
@@ -167,11 +199,6 @@ impl Limits {
     }
 }
 
-/// Returns the name of the joints of a leg in a pose.
-fn name(pose: usize, leg: usize) -> String {
-    format!("POSE{}_{}", pose + 1, Target::Foot(leg as u8))
-}
-
 fn words(angles: &[f64]) -> String {
     let words: Vec<String> = angles.iter().map(f64::to_string).collect();
     words.join(" ")
@@ -212,7 +239,13 @@ leg = [{ base = [80, 0, 0] }, { base = [-80, 0, 0] }]
             period: 20.0,
             slow: 30.0,
             speeds: vec![180.0, 90.0, 180.0, 180.0],
-            acceleration: 360.0,
+            standards: Standards {
+                omega_dot_max: 360.0,
+                ..Robot::description(ROBOT)
+                    .expect("a description")
+                    .anatomy()
+                    .standards
+            },
         }
     }
 
@@ -232,6 +265,13 @@ leg = [{ base = [80, 0, 0] }, { base = [-80, 0, 0] }]
             sample(3000.0, [50.0, 70.0, -0.02, -20.0]),
             sample(3500.0, [50.0, 70.0, 90.04, -20.0]),
         ];
+        let poses: Vec<Pose> = (1..)
+            .zip(poses)
+            .map(|(number, sample)| Pose {
+                name: format!("POSE{number}"),
+                sample,
+            })
+            .collect();
         let mut limits = limits();
         limits.speeds = vec![180.0; 4];
         let text = limits.poses(&poses).text;

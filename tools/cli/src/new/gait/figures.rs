@@ -4,6 +4,7 @@ use crate::message::Making;
 use crate::new::gait::plan::{Plan, SLOPE};
 use std::fmt::Write as _;
 use tip_runtime::command::Port;
+use tip_runtime::hardware::JointCommand;
 use tip_runtime::plant::{self, Scene, ServoDynamics};
 use tip_runtime::random::Random;
 use tip_sim::{Event, Limit, Plant, Robot, Run, load};
@@ -82,6 +83,8 @@ const FULL: [[f64; 3]; 3] = [[10.0, 5.0, 5.0], [5.0, 5.0, 10.0], [5.0, 10.0, 5.0
 /// Number of random positions of all sticks after them, and the longest and the shortest time of one, s.
 const RANDOM: u32 = 5;
 const RANDOM_TIME: [f64; 2] = [0.3, 0.8];
+/// Largest slip of a foot with mass on a level floor, mm.
+const MOST_SLIP: f64 = 20.0;
 
 impl Figures {
     /// Runs the program with full sticks, and with random ones.
@@ -103,6 +106,8 @@ impl Figures {
             run,
             cycle: plan.cycle / 1000.0,
             angles: vec![],
+            commands: vec![],
+            commanded: 0.0,
             figures: Figures {
                 speed: [0.0; 3],
                 joint: (1, 1),
@@ -139,9 +144,14 @@ impl Figures {
             let [least, most] = RANDOM_TIME;
             trial.walk(random.within(least, most))?;
         }
+        // Simulated servos show what it costs to be slowed down; slower ones are not simulated.
+        if plan.servos < ServoDynamics::default().speed && trial.commanded > plan.servos {
+            return Err(Making::TooSlow { speed: plan.servos });
+        }
         let figures = trial.sit_down()?;
         // It walks as it should, and not on its belly.
-        if floor.has_mass() && figures.speed[0] < 0.7 * plan.top[1] {
+        let slips = floor == Floor::Level && figures.slip > MOST_SLIP;
+        if slips || floor.has_mass() && figures.speed[0] < 0.7 * plan.top[1] {
             return Err(Making::Slips);
         }
         Ok(figures)
@@ -157,6 +167,10 @@ struct Trial {
     joints: usize,
     /// Joint angles of the cycle before, deg.
     angles: Vec<f64>,
+    /// Commands of the cycle before.
+    commands: Vec<JointCommand>,
+    /// The speed of the fastest commands, deg/s.
+    commanded: f64,
     figures: Figures,
 }
 
@@ -168,6 +182,7 @@ impl Trial {
         while self.run.cycles() < cycles && self.run.ending().is_none() {
             if self.run.cycle().messages.iter().any(|text| text == READY) {
                 self.angles = self.run.angles().to_vec();
+                self.commands = self.run.commands().to_vec();
                 return Ok(());
             }
         }
@@ -201,6 +216,16 @@ impl Trial {
                 }
             }
             self.angles.copy_from_slice(self.run.angles());
+            for pair in self.run.commands().iter().zip(&self.commands) {
+                if let (
+                    JointCommand::Angle { angle, .. },
+                    JointCommand::Angle { angle: before, .. },
+                ) = pair
+                {
+                    self.commanded = self.commanded.max((angle - before).abs() / self.cycle);
+                }
+            }
+            self.commands.copy_from_slice(self.run.commands());
             let motion = self.run.motion().ok_or(Making::OutOfReach)?;
             if motion.falls > 0 {
                 return Err(Making::Falls);
@@ -239,11 +264,10 @@ fn speed(axis: usize, from: plant::Travel, to: plant::Travel) -> f64 {
     }
 }
 
-/// Returns a table of figures as comments.
-pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
-    let limit = ServoDynamics::default().speed;
+/// Returns a table of figures as comments, and the speed of the servos, deg/s.
+pub(super) fn comment(all: &[(Floor, Option<Figures>)], servos: f64) -> String {
     let mut text = format!(
-        "// Tried in simulation with full sticks and with random ones, friction 0.5; joints turn {limit:.0} deg/s at most:\n\
+        "// Tried in simulation with full sticks and with random ones, friction 0.5; joints turn {servos:.0} deg/s at most:\n\
          //                  ahead, side, turn          fastest joint    margin  slip\n"
     );
     for (floor, figures) in all {

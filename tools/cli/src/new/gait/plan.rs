@@ -9,14 +9,18 @@ use crate::new::gait::reach::{
 };
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
-use tip_runtime::plant::ServoDynamics;
 use tip_sim::RobotDescription;
 
-/// Share of the servos' speed that a gait uses. A trot keeps more for its balance.
-const SPEED_SHARE: f64 = 0.85;
-const TROT_SPEED_SHARE: f64 = 0.75;
+/// Share of the servos' speed that a stride uses; when sticks move, it takes up to a fifth more.
+const SPEED_SHARE: f64 = 0.8;
+/// Much of a trot's speed lifts the feet, whatever the sticks do.
+const TROT_SPEED_SHARE: f64 = 0.9;
+/// Largest speed of a joint in a trot, deg/s: the rest of what simulated servos turn keeps the balance.
+const TROT_SPEED: f64 = 270.0;
 /// A crawl leaves some of it to the body's leaning.
 const CRAWL_SPEED_SHARE: f64 = 0.6;
+/// Least speed of a gait, mm/s.
+const SLOWEST: f64 = 5.0;
 /// Share of the reach that a stride uses.
 const REACH_SHARE: f64 = 0.8;
 /// Least distance of the centre of mass from the edge of the support polygon, mm.
@@ -27,8 +31,8 @@ pub(super) const SLOPE: f64 = 5.0;
 const GRAVITY: f64 = 9.806_65;
 /// Coefficient of friction that gaits are made for.
 const FRICTION: f64 = 0.5;
-/// Half a stride of a trot, as a share of √(h / g): the body tips slowly for so long.
-const TROT_SHARE: f64 = 0.8;
+/// Half a stride of a trot, as shares of √(h / g): the body tips slowly for so long. Only slow servos need the longer one.
+const TROT_SHARES: [f64; 2] = [0.8, 0.9];
 /// Largest velocities that are tried: mm/s, mm/s, deg/s.
 const FASTEST: Twist = [1000.0, 1000.0, 180.0];
 /// Share of what a slope takes from the margin that a crawl keeps in reserve: the others are steps that are shorter then.
@@ -71,6 +75,8 @@ pub(super) struct Plan {
     /// mm
     pub(super) lower: f64,
     pub(super) top: Twist,
+    /// Speed of the servos, deg/s.
+    pub(super) servos: f64,
     /// Control cycle, ms.
     pub(super) cycle: f64,
     /// Time in which every foot swings once, to the side, ahead, and turning: s.
@@ -78,22 +84,25 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Derives the gait of a robot.
+    /// Derives the gait of a robot whose servos turn `servos` deg/s.
     ///
     /// # Errors
     /// The reason why the robot cannot walk so.
-    pub(super) fn derive(anatomy: &RobotDescription, kind: Kind) -> Result<Self, Making> {
+    pub(super) fn derive(
+        anatomy: &RobotDescription,
+        kind: Kind,
+        servos: f64,
+    ) -> Result<Self, Making> {
         let legs = anatomy.legs.len();
         let groups = groups(anatomy, kind)?;
         let cycle = anatomy.standards.period;
         let stance = Stance::of(anatomy, legs)?;
         let height = -stance.homes[0][2];
-        let speed_share = match kind {
-            Kind::Trot => TROT_SPEED_SHARE,
-            Kind::Crawl => CRAWL_SPEED_SHARE,
-            _ => SPEED_SHARE,
+        let limit = match kind {
+            Kind::Trot => (TROT_SPEED_SHARE * servos).min(TROT_SPEED),
+            Kind::Crawl => CRAWL_SPEED_SHARE * servos,
+            _ => SPEED_SHARE * servos,
         };
-        let limit = speed_share * ServoDynamics::default().speed;
         let sway = match kind {
             Kind::Crawl => stance.sway(anatomy)?,
             _ => 0.0,
@@ -114,21 +123,39 @@ impl Plan {
             kind,
         };
         let mut best: Option<(f64, f64, f64, f64)> = None;
-        for lift in lifts(kind, height) {
-            for &(swing, pause) in &candidates {
-                let ahead = Way { lift, ..way }.top(1, swing, pause);
-                // A shorter stride is steadier, and a higher step safer: others must be worth it.
-                let least = match best {
-                    Some((of, ..)) if of > lift => 1.3,
-                    _ => 1.06,
-                };
-                if best.is_none_or(|(.., fastest)| ahead > least * fastest) {
-                    best = Some((lift, swing, pause, ahead));
+        let alternatives = match kind {
+            Kind::Trot => 1,
+            _ => candidates.len(),
+        };
+        for candidates in candidates.chunks(alternatives) {
+            for lift in lifts(kind, height) {
+                for &(swing, pause) in candidates {
+                    let ahead = Way { lift, ..way }.top(1, swing, pause);
+                    // A shorter stride is steadier, and a higher step safer: others must be worth it.
+                    let least = match best {
+                        Some((of, ..)) if of > lift => 1.3,
+                        _ => 1.06,
+                    };
+                    if best.is_none_or(|(.., fastest)| ahead > least * fastest) {
+                        best = Some((lift, swing, pause, ahead));
+                    }
                 }
             }
+            if best.is_some_and(|(.., fastest)| fastest >= SLOWEST) {
+                break;
+            }
         }
-        let best = best.filter(|best| best.3 >= 5.0);
-        let (lift, swing, pause, ahead) = best.ok_or(Making::OutOfReach)?;
+        let best = best.filter(|best| best.3 >= SLOWEST);
+        let (lift, swing, pause, ahead) = best.ok_or_else(|| {
+            let limit = f64::INFINITY;
+            let walks = |(swing, pause): &(f64, f64)| {
+                Way { limit, ..way }.top(1, *swing, *pause) >= SLOWEST
+            };
+            match candidates.iter().any(walks) {
+                true => Making::TooSlow { speed: servos },
+                false => Making::OutOfReach,
+            }
+        })?;
         let free = Way { lift, ..way };
         let mut top = [free.top(0, swing, pause), ahead, free.top(2, swing, pause)];
         if kind == Kind::Trot {
@@ -173,6 +200,7 @@ impl Plan {
                 round_to(top[2], 1.0).max(1.0),
             ],
             groups,
+            servos,
             cycle,
             stride,
         })
@@ -247,8 +275,10 @@ fn candidates(kind: Kind, cycle: f64, height: f64, full: f64) -> Vec<(f64, f64)>
     let both = whole(20.0);
     match kind {
         Kind::Trot => {
-            let half = 1000.0 * TROT_SHARE * (height / 1000.0 / GRAVITY).sqrt();
-            vec![(whole(half - both).max(2.0 * cycle), both)]
+            let halves =
+                TROT_SHARES.map(|share| 1000.0 * share * (height / 1000.0 / GRAVITY).sqrt());
+            let swings = halves.map(|half| whole(half - both).max(2.0 * cycle));
+            swings.map(|swing| (swing, both)).to_vec()
         }
         Kind::Tripod | Kind::Wave => {
             let swings = (0..9).map(|n| whole(200.0 + 40.0 * f64::from(n)));

@@ -4,10 +4,11 @@
 use crate::drives::realtime::{self, wait_until};
 use crate::drives::report_stiff;
 use crate::drives::robot::Connection;
-use crate::message::Driving;
+use crate::run::files::Trace;
 use crate::serve::controls::Controls;
 use crate::{Status, input, interrupt, report, sticks};
 use std::io::{self, IsTerminal, Sink};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::{Duration, Instant};
@@ -31,9 +32,8 @@ const REPORTING: Duration = Duration::from_millis(200);
 const SETTLING: u32 = 15;
 /// Most orders of one cycle.
 const MAX_ORDERS: usize = 64;
-/// The bytes of the key RETURN.
+/// The byte of the key RETURN.
 const RETURN: u8 = 0x0D;
-const LINE_FEED: u8 = 0x0A;
 
 /// A report of the control cycle.
 pub(super) enum Report {
@@ -79,18 +79,13 @@ impl Console for Keys {
         if self.controls.is_stopped() {
             return Some(RETURN);
         }
-        typed(&mut self.keyboard, cycle)
+        let keyboard = self.keyboard.as_mut()?;
+        let key = keyboard.key(cycle);
+        if keyboard.interrupted() {
+            interrupt::request();
+        }
+        key
     }
-}
-
-/// Returns the next key of a terminal whose keys are meant for this process.
-fn typed(keyboard: &mut Option<Terminal<Sink>>, cycle: u64) -> Option<u8> {
-    let keyboard = keyboard.as_mut()?;
-    let key = keyboard.key(cycle);
-    if keyboard.interrupted() {
-        interrupt::request();
-    }
-    key
 }
 
 /// The place from which a robot is started.
@@ -113,6 +108,10 @@ pub(super) struct Control {
     stage: Stage,
     /// The time of the next report of all servos.
     due: Instant,
+    /// Time on the bus, µs, and commanded cycles until the last report.
+    reported: (u64, u64),
+    /// The file of the trace.
+    trace: Option<PathBuf>,
     lang: Lang,
 }
 
@@ -122,18 +121,24 @@ impl Control {
         robot: Robot,
         controls: Arc<Controls>,
         (orders, reports): (Receiver<Order>, Sender<Report>),
+        trace: Option<PathBuf>,
         lang: Lang,
     ) -> Self {
         Control {
+            state: RobotState {
+                period: connection.period(),
+                ..RobotState::new()
+            },
             connection,
             robot,
             controls,
             orders,
             reports,
             next: None,
-            state: RobotState::new(),
             stage: Stage::Paused,
             due: Instant::now(),
+            reported: (0, 0),
+            trace,
             lang,
         }
     }
@@ -164,7 +169,6 @@ impl Control {
     fn await_start(&mut self) -> Option<Starter> {
         input::forget_typed();
         let is_terminal = io::stdin().is_terminal();
-        let mut keyboard = is_terminal.then(|| Terminal::on(io::sink(), false).report_interrupts());
         self.controls.reset();
         self.state.stopped_in = None;
         self.enter(Phase::Ready);
@@ -177,7 +181,9 @@ impl Control {
             if self.controls.is_stopped() {
                 self.controls.reset();
             }
-            let is_typed = matches!(typed(&mut keyboard, 0), Some(RETURN | LINE_FEED));
+            // Keys that start nothing wait for no program.
+            while self.connection.key().is_some() {}
+            let is_typed = is_terminal && self.connection.request() == Some(Request::EmergencyStop);
             let now = self.controls.now();
             let is_held = self.controls.driver().is_armed(now);
             let is_well = self.state.problem.is_none() && self.next.is_some();
@@ -249,10 +255,19 @@ impl Control {
         };
         let now = self.controls.now();
         self.controls.driver().begin(now);
+        // Nothing is opened any more while the torque is on.
+        let opened = self
+            .trace
+            .as_deref()
+            .map(|path| Trace::begin(path, false, true));
+        let trace = match opened.transpose() {
+            Ok(trace) => trace,
+            Err(error) => return self.refuse(error.text(self.lang)),
+        };
         self.enter(Phase::Approach);
         self.connection.take_over(true);
         match self.approach(starter) {
-            Ok(Step::Moving | Step::Arrived) => self.run(run, &prepared),
+            Ok(Step::Moving | Step::Arrived) => self.run(run, &prepared, trace),
             Ok(Step::Left(request)) => {
                 if request == Request::EmergencyStop {
                     self.note_stop();
@@ -331,7 +346,7 @@ impl Control {
     }
 
     /// Runs the program in real time until it ends, and leaves the robot.
-    fn run(&mut self, run: Run, prepared: &Arc<Prepared>) {
+    fn run(&mut self, run: Run, prepared: &Arc<Prepared>, mut trace: Option<Trace>) {
         let begun = Report::Begun(Box::new((run.clone(), Arc::clone(prepared))));
         self.tell(begun);
         self.enter(Phase::Running);
@@ -377,23 +392,31 @@ impl Control {
                 }
             }
             run.pause(stage == Stage::Paused);
-            let cycle = run.cycle();
+            let cycle = run.reported(trace.as_mut().map(Trace::sink));
+            if let Some(trace) = &mut trace {
+                trace.after(&run);
+            }
             if stage != Stage::Paused || run.ending().is_some() {
                 self.tell(Report::Cycle(Box::new((cycle, run.snapshot()))));
             }
             if let Some(Ending::Emergency(_)) = run.ending() {
                 self.note_stop();
             }
-            self.state.late = pacer.overruns();
+            (self.state.late, self.state.period) = (pacer.overruns(), run.period());
             self.report_servos();
             wait_until(pacer.due(run.period()));
         }
         if let Some(failure) = self.connection.failure() {
             self.fail(failure);
         }
+        let (ending, cycles) = (run.ending(), run.cycles());
         // Its console gives the keys of the terminal back.
         drop(run);
         self.leave();
+        let written = trace.map(|trace| trace.end(ending.unwrap_or(Ending::Interrupted), cycles));
+        if let Some(Err(error)) = written {
+            report::complain(&format!("{}\n", error.text(self.lang)));
+        }
     }
 
     /// Lets something happen to the run before its next step.
@@ -420,27 +443,14 @@ impl Control {
         self.enter(Phase::Leaving);
         // A signal does not cut it short.
         interrupt::hold();
-        if self.connection.finish() {
+        let finished = self.connection.finish();
+        if finished.is_stopped {
             self.note_stop();
         }
         interrupt::release();
-        let uncertain = self.connection.robot().outcome().and_then(|outcome| {
-            let joints: Vec<usize> = outcome
-                .other
-                .iter()
-                .chain(&outcome.unknown)
-                .copied()
-                .collect();
-            (!joints.is_empty()).then_some(joints)
-        });
-        if let Some(joints) = uncertain {
-            let names = joints
-                .into_iter()
-                .map(|joint| self.connection.setup.name(joint));
-            let names = names.collect::<Vec<_>>().join(", ");
-            let state = Driving::ServeLeft { joints: names };
-            let reason = state.in_lang(self.lang).to_string();
-            self.state.problem.get_or_insert(reason);
+        if !finished.complaint.is_empty() {
+            let complaint = finished.complaint.trim_end().to_owned();
+            self.state.problem.get_or_insert(complaint);
         }
     }
 
@@ -478,9 +488,15 @@ impl Control {
                     voltage: measured.and_then(|it| it.voltage),
                     temperature: measured.and_then(|it| it.temperature),
                     age: drives.age(place).unwrap_or_default(),
+                    missing: drives.missing(place).unwrap_or_default(),
                 }
             })
             .collect();
+        let counts = drives.counts();
+        let cycles = counts.commanded.saturating_sub(self.reported.1);
+        let busy = counts.busy.saturating_sub(self.reported.0) as f64 / 1000.0;
+        self.state.bus = (cycles > 0).then(|| busy / cycles as f64);
+        self.reported = (counts.busy, counts.commanded);
         let counters = drives.bus().counters();
         self.state.answers = [counters.asked, counters.answered];
         drop(robot);

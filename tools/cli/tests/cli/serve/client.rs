@@ -1,7 +1,7 @@
 //! A served program, and a viewer of it.
 
 use crate::support::Folder;
-use rustix::process::{Pid, Signal, kill_process};
+use rustix::process::{Pid, Signal, WaitOptions, kill_process, waitpid};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -110,6 +110,14 @@ impl Server {
         let origin = format!("http://{}", self.host());
         let socket = self.open(&self.target("/live"), Some(&origin));
         Socket::new(socket.expect("it may come in"))
+    }
+
+    /// Suspends it, and lets it go on.
+    pub(super) fn suspend(&self) {
+        let pid = Pid::from_child(&self.child);
+        kill_process(pid, Signal::STOP).expect("it runs");
+        waitpid(Some(pid), WaitOptions::UNTRACED).expect("it is suspended");
+        kill_process(pid, Signal::CONT).expect("it is there");
     }
 
     /// Ends it by Ctrl-C, and returns the exit status.

@@ -32,6 +32,7 @@ const PATIENT: &str = "driver_silence = [5, 600, 600]";
 
 /// A served robot whose servos relax at the end and hold in an emergency.
 struct Bench {
+    folder: Folder,
     bus: ServoBus,
     server: Server,
 }
@@ -48,8 +49,13 @@ impl Bench {
         let folder = folder.file("robot.toml", &robot).program("p.prg", program);
         let bus = ServoBus::of(&robot, beside);
         let arguments = ["p.prg", "--hardware", "robot.toml", "--port", bus.port()];
+        let arguments = [&arguments[..], &["--trace", "real.jsonl"]].concat();
         let server = Server::with_keys(&folder, &arguments, keys);
-        Bench { bus, server }
+        Bench {
+            folder,
+            bus,
+            server,
+        }
     }
 
     /// A page that holds the robot.
@@ -304,6 +310,85 @@ fn a_short_silence_pauses_the_robot_until_a_new_press() {
     page.sign(0, AHEAD);
     page.until(|page| page.robot["stage"] == "paused");
     assert_eq!(page.socket.status["playing"], false);
+}
+
+/// A pause has no records. The trace is that of any run: `tip view` shows it beside a simulated one.
+#[test]
+fn a_served_run_is_traced_and_its_servos_are_counted() {
+    let mut bench = Bench::new("trace", STEERED, PATIENT);
+    let mut page = bench.driven();
+    page.hold(AHEAD, |page| page.robot["bus"].as_f64() > Some(0.0));
+    let [bus, period] = ["bus", "period"].map(|it| page.socket.robot[it].as_f64());
+    // Three servos at 1 Mbaud; a busy machine adds to it.
+    assert!(
+        bus < period && period == Some(20.0),
+        "{bus:?} of {period:?}"
+    );
+    bench.bus.with(|bus| bus.unplug(2));
+    // A busy machine misses answers of all.
+    page.hold(REST, |page| {
+        let [one, other] =
+            [0, 1].map(|servo| page.robot["servos"][servo]["missing"].as_u64().unwrap_or(0));
+        other > one + 2
+    });
+    bench.bus.with(|bus| bus.plug(2));
+    page.sign(0, REST);
+    page.until(|page| page.robot["stage"] == "paused");
+    assert!(!bench.folder.has("real.jsonl"), "it is not complete");
+    page.hold(REST, |page| page.robot["stage"] == "driven");
+    page.socket.does(json!({"do": "event", "event": "halt"}));
+    page.hold(REST, is_left);
+    assert_eq!(bench.server.end(), Some(130));
+    let trace = bench.folder.read("real.jsonl");
+    let records: Vec<Value> = trace
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("JSON"))
+        .collect();
+    let (last, cycles) = records.split_last().expect("records");
+    assert_eq!(
+        (&last["end"], last["cycles"].as_u64()),
+        (&json!("EXIT"), Some(cycles.len() as u64))
+    );
+    assert_eq!(page.socket.cycles, cycles.len() as u64);
+    for (number, record) in (0..).zip(cycles) {
+        assert_eq!(record["cycle"], number);
+        assert_eq!(
+            record["angles"][0].as_array().map(Vec::len),
+            Some(3),
+            "{record}"
+        );
+    }
+    let simulate = [
+        "run",
+        "p.prg",
+        "--robot",
+        "robot.toml",
+        "--quiet",
+        "--halt",
+        "9",
+    ];
+    let traced = [
+        "--sensor", "VR1=10@0", "--sensor", "VR2=5@0", "--sensor", "VR3=5@0",
+    ];
+    let to = ["--trace-motion", "--trace", "simulated.jsonl"];
+    bench
+        .folder
+        .tip(&[&simulate[..], &traced, &to].concat())
+        .expect(0);
+    let view = [
+        "view",
+        "real.jsonl",
+        "simulated.jsonl",
+        "--program",
+        "p.prg",
+    ];
+    let to = ["--robot", "robot.toml", "-o", "both.html"];
+    bench.folder.tip(&[&view[..], &to].concat()).expect(0);
+    assert!(bench.folder.has("both.html"));
+    let compare = ["compare", "simulated.jsonl", "real.jsonl"];
+    let of = ["--program", "p.prg", "--robot", "robot.toml"];
+    let compared = bench.folder.tip(&[&compare[..], &of].concat()).expect(0);
+    assert!(compared.out.contains("real.jsonl"), "{compared:#?}");
 }
 
 #[test]

@@ -1,0 +1,14 @@
+3.1
+Reads a speed after a key
+DEF_VAR SPEED
+DEF_VAR N
+SPEED = 300   // mm/s
+N = 0
+LOOP:
+MESSAGE at %SPEED% mm/s
+IF KB_HIT THEN
+KEY_IN
+N = SPEED
+ENDIF
+GOTO LOOP:
+END

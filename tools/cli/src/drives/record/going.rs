@@ -1,0 +1,80 @@
+//! The way of a robot into poses that were taught: slowly, with torque, and limp again after a key.
+
+use crate::Status;
+use crate::drives::robot::Connection;
+use crate::drives::zero::relax;
+use crate::error::Error;
+use crate::message::Driving;
+use crate::report;
+use tip_drives::drives::Failure;
+use tip_drives::guard::Step;
+use tipc::message::Lang;
+
+/// The key that switches the torque off.
+const RELEASE: u8 = b'r';
+
+/// The state of a robot after its way.
+#[derive(Debug)]
+pub(super) enum Gone {
+    /// It has no torque.
+    Limp,
+    /// The operator or a fault has ended the lesson, and the robot was left: as at an end, or with this status.
+    Left(Option<Status>),
+}
+
+/// Moves a robot through poses and holds the last one until the key that releases it.
+///
+/// # Errors
+/// A servo has not confirmed that its torque is off.
+pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Result<Gone, Error> {
+    let complain = |failure| report::complain(&format!("{}\n", connection.explain(failure)));
+    let connected = connection.robot().connect();
+    if let Err(failure) = connected {
+        complain(failure);
+        return Ok(Gone::Limp);
+    }
+    connection.take_over(true);
+    let step = through(connection, poses, lang);
+    if let Err(failure) = step
+        && !connection.robot().has_torque()
+        && !connection.robot().is_stopped()
+    {
+        // A joint is where it must not be, and no torque was switched on.
+        connection.finish();
+        complain(failure);
+        return Ok(Gone::Limp);
+    }
+    match connection.ended(step) {
+        None => {}
+        Some(Status::Interrupted) => return Ok(Gone::Left(None)),
+        Some(status) => return Ok(Gone::Left(Some(status))),
+    }
+    // A robot that relaxes at its end sinks slowly.
+    if connection.finish().is_stopped {
+        return Ok(Gone::Left(Some(Status::Emergency)));
+    }
+    relax(connection, lang)?;
+    Ok(Gone::Limp)
+}
+
+/// Switches the torque on, moves the robot, and holds it until the key.
+fn through(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Result<Step, Failure> {
+    let speed = connection.setup.bus.start;
+    report::say(Driving::PoseGoes { speed }, lang);
+    let mut step = connection.robot().hold()?;
+    for pose in poses {
+        if !matches!(step, Step::Left(_)) {
+            step = connection.robot().reach(pose, speed)?;
+        }
+    }
+    let Some(last) = poses.last().filter(|_| !matches!(step, Step::Left(_))) else {
+        return Ok(step);
+    };
+    // A key that was typed on the way does not release the robot.
+    while connection.key().is_some() {}
+    report::say(Driving::PoseReached, lang);
+    while !matches!(step, Step::Left(_)) && connection.key() != Some(RELEASE) {
+        step = connection.robot().step(last, speed)?;
+    }
+    Ok(step)
+}
