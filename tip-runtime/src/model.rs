@@ -16,7 +16,7 @@
 //!         y: Range::new(-60.0, 60.0),
 //!         z: Range::new(-30.0, 30.0),
 //!         mass: 1.0,
-//!         spread: None,
+//!         inertial: None,
 //!     }),
 //!     ..Model::generic("tripod", [leg(0.0, 1.0), leg(0.96, -0.28), leg(-0.96, -0.28)])
 //! };
@@ -121,7 +121,7 @@ pub struct Joint {
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly along the link. The simulated hand takes all its
     /// links to be so.
-    pub spread: Option<InertialProperties>,
+    pub inertial: Option<InertialProperties>,
     /// Maximum torque of its motor, N·m.
     pub torque: f64,
     /// Radius of the link, a capsule, where it may meet other links and the body, mm; `None`: 5 % of its length.
@@ -151,7 +151,7 @@ pub struct Body {
     /// Mass without legs, kg.
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly in the box, its centre in the origin.
-    pub spread: Option<InertialProperties>,
+    pub inertial: Option<InertialProperties>,
 }
 
 /// Standard values of the parameters that commands set.
@@ -405,7 +405,7 @@ impl Joint {
             limits: Range::new(-180.0, 180.0),
             outer: Range::new(-180.0 - OUTER, 180.0 + OUTER),
             mass: 0.1,
-            spread: None,
+            inertial: None,
             torque: 10.0,
             radius: None,
         }
@@ -438,9 +438,9 @@ impl Joint {
 
     /// Sets the distribution of the mass.
     #[must_use]
-    pub const fn spread(self, spread: InertialProperties) -> Self {
+    pub const fn inertial(self, inertial: InertialProperties) -> Self {
         Joint {
-            spread: Some(spread),
+            inertial: Some(inertial),
             ..self
         }
     }

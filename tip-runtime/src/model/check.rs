@@ -191,7 +191,7 @@ fn check_joint(place: Place, joint: &Joint, initial: f64) -> Result<(), ModelErr
     let inside = joint.outer.contains(joint.limits.min) && joint.outer.contains(joint.limits.max);
     check(inside, "outer", "must contain the limits")?;
     check(is_at_least_0(joint.mass), "mass", NOT_NEGATIVE)?;
-    check(is_sound(joint.spread), "spread", A_BODY)?;
+    check(is_sound(joint.inertial), "inertial", A_BODY)?;
     check(is_positive(joint.torque), "torque", POSITIVE)?;
     check(joint.radius.is_none_or(is_positive), "radius", POSITIVE)?;
     check(
@@ -206,11 +206,11 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
         require(is_ordered(range), Place::Body, field, ORDERED)?;
     }
     require(is_at_least_0(body.mass), Place::Body, "mass", NOT_NEGATIVE)?;
-    require(is_sound(body.spread), Place::Body, "spread", A_BODY)
+    require(is_sound(body.inertial), Place::Body, "inertial", A_BODY)
 }
 
-fn is_sound(spread: Option<InertialProperties>) -> bool {
-    spread.is_none_or(|spread| spread.is_sound())
+fn is_sound(inertial: Option<InertialProperties>) -> bool {
+    inertial.is_none_or(|inertial| inertial.is_sound())
 }
 
 fn check_standards(standards: &Standards, periods: Range) -> Result<(), ModelError> {

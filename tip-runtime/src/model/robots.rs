@@ -40,7 +40,7 @@ pub mod titan8 {
             y: Range::new(-230.0, 230.0),
             z: Range::new(-200.0, 50.0),
             mass: 12.0,
-            spread: None,
+            inertial: None,
         }),
         standards: Standards {
             v_max: 300.0,
@@ -86,7 +86,7 @@ pub mod titan8 {
             limits: Range::new(min, max),
             outer: Range::new(min - 5.0, max + 5.0),
             mass,
-            spread: None,
+            inertial: None,
             torque: 40.0,
             radius: None,
         }
@@ -196,7 +196,7 @@ pub mod hand {
             limits,
             outer: limits.widened(5.0),
             mass,
-            spread: None,
+            inertial: None,
             torque: 1.5,
             radius: None,
         }

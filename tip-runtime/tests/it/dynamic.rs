@@ -3,6 +3,6 @@
 mod flight;
 mod force;
 mod ground;
+mod inertial;
 mod mass;
 mod rig;
-mod spread;

@@ -23,7 +23,7 @@ const PAIR: Model<2, 2> = Model {
         y: Range::new(-10.0, 10.0),
         z: Range::new(-10.0, 10.0),
         mass: 0.0,
-        spread: None,
+        inertial: None,
     }),
     forces: Some(Forces {
         unit: TorqueUnit::NewtonMetre,
@@ -117,21 +117,24 @@ fn legs_and_joints_are_named() {
         [-1.0, 1.0, 1.0, 0.0, 0.0, 0.0],
         [1.0, 1.0, f64::NAN, 0.0, 0.0, 0.0],
     ] {
-        let spread = Some(InertialProperties {
+        let inertial = Some(InertialProperties {
             centre: [0.0; 3],
             inertia,
         });
         assert_eq!(
-            wrong(|m| m.legs[0].joints[1].spread = spread),
-            format!("J12: spread {a_body}")
+            wrong(|m| m.legs[0].joints[1].inertial = inertial),
+            format!("J12: inertial {a_body}")
         );
     }
     for inertia in [[1.0, 1.0, 2.0, 0.0, 0.0, 0.0], [0.0; 6]] {
-        let spread = Some(InertialProperties {
+        let inertial = Some(InertialProperties {
             centre: [1.0, -2.0, 3.0],
             inertia,
         });
-        assert_eq!(wrong(|m| m.legs[0].joints[1].spread = spread), "nothing");
+        assert_eq!(
+            wrong(|m| m.legs[0].joints[1].inertial = inertial),
+            "nothing"
+        );
     }
     assert_eq!(
         wrong(|m| m.legs[0].joints[0].torque = 0.0),

@@ -39,7 +39,7 @@ fn planar<const J: usize>(lengths: [f64; J]) -> Leg<J> {
             limits: Range::new(-90.0, 90.0),
             outer: Range::new(-95.0, 95.0),
             mass: 0.1,
-            spread: None,
+            inertial: None,
             torque: 1.0,
             radius: None,
         }),

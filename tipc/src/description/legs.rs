@@ -105,7 +105,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     let mass = section.number("mass", Sign::NotNegative, found);
     let mass = mass.unwrap_or(0.1);
     let even = InertialProperties::rod(link.unwrap_or_default(), mass);
-    let spread = read_spread(section, even, found);
+    let inertial = read_inertial(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
     let shapes = read_shapes(section, found);
     let radius = section.number("radius", Sign::Size, found);
@@ -115,7 +115,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
         limits,
         outer,
         mass,
-        spread,
+        inertial,
         torque: torque.unwrap_or(10.0),
         radius: radius.or_else(|| radius_of(&shapes, link?)),
     };
@@ -214,7 +214,9 @@ fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     let joint = Joint {
         axis: [0, 1, 2].map(|i| side * mirror[i] * axis[i]),
         link: [0, 1, 2].map(|i| mirror[i] * link[i]),
-        spread: joint.spread.map(|of| placed_spread(&of, turned, mirror)),
+        inertial: joint
+            .inertial
+            .map(|of| placed_inertial(&of, turned, mirror)),
         ..*joint
     };
     (joint, shapes.collect())
@@ -415,7 +417,7 @@ impl Shape {
 
 /// Reads the keys `centre` and `inertia` of a table, with a default for the one that it leaves out; `None` if it has
 /// neither.
-pub(super) fn read_spread(
+pub(super) fn read_inertial(
     section: Section<'_>,
     even: InertialProperties,
     found: &mut Found,
@@ -425,12 +427,12 @@ pub(super) fn read_spread(
     if centre.is_none() && inertia.is_none() {
         return None;
     }
-    let spread = InertialProperties {
+    let inertial = InertialProperties {
         centre: centre.unwrap_or(even.centre),
         inertia: inertia.unwrap_or(even.inertia),
     };
-    if spread.is_sound() {
-        return Some(spread);
+    if inertial.is_sound() {
+        return Some(inertial);
     }
     let location = section.location_of("inertia");
     section.refuse("inertia", location, Describing::NoBodysInertia, found)
@@ -438,18 +440,18 @@ pub(super) fn read_spread(
 
 /// Returns the distribution for a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror`
 /// the sign of each coordinate.
-fn placed_spread(
-    spread: &InertialProperties,
+fn placed_inertial(
+    inertial: &InertialProperties,
     turned: impl Fn([f64; 3]) -> [f64; 3],
     mirror: [f64; 3],
 ) -> InertialProperties {
-    let [xx, yy, zz, xy, xz, yz] = spread.inertia;
+    let [xx, yy, zz, xy, xz, yz] = inertial.inertia;
     // The rows are turned first, then the columns of the result.
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(&turned);
     let column = |axis: usize| turned(rows.map(|row| row[axis]));
     let columns = [column(0), column(1), column(2)];
     let at = |i: usize, j: usize| mirror[i] * mirror[j] * columns[i][j];
-    let centre = turned(spread.centre);
+    let centre = turned(inertial.centre);
     InertialProperties {
         centre: [0, 1, 2].map(|axis| mirror[axis] * centre[axis]),
         inertia: [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)],

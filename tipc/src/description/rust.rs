@@ -93,7 +93,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         limits: point,
         outer: point,
         mass: 0.0,
-        spread: None,
+        inertial: None,
         torque: 0.0,
         radius: None,
     };
@@ -189,7 +189,7 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
     let (axis, link) = (numbers(&joint.axis), numbers(&joint.link));
     let (limits, outer) = (range(joint.limits, runtime), range(joint.outer, runtime));
     let (mass, torque) = (number(joint.mass), number(joint.torque));
-    let spread = spread_to_rust(joint.spread, runtime);
+    let inertial = inertial_to_rust(joint.inertial, runtime);
     let radius = optional(joint.radius.map(|radius| {
         let radius = number(radius);
         quote!(#radius)
@@ -201,7 +201,7 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
             limits: #limits,
             outer: #outer,
             mass: #mass,
-            spread: #spread,
+            inertial: #inertial,
             torque: #torque,
             radius: #radius,
         }
@@ -210,12 +210,12 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
 
 fn body_to_rust(body: Body, runtime: &TokenStream) -> TokenStream {
     let [x, y, z] = [body.x, body.y, body.z].map(|extent| range(extent, runtime));
-    let (mass, spread) = (number(body.mass), spread_to_rust(body.spread, runtime));
-    quote!(#runtime::model::Body { x: #x, y: #y, z: #z, mass: #mass, spread: #spread })
+    let (mass, inertial) = (number(body.mass), inertial_to_rust(body.inertial, runtime));
+    quote!(#runtime::model::Body { x: #x, y: #y, z: #z, mass: #mass, inertial: #inertial })
 }
 
-fn spread_to_rust(spread: Option<InertialProperties>, runtime: &TokenStream) -> TokenStream {
-    optional(spread.map(|InertialProperties { centre, inertia }| {
+fn inertial_to_rust(inertial: Option<InertialProperties>, runtime: &TokenStream) -> TokenStream {
+    optional(inertial.map(|InertialProperties { centre, inertia }| {
         let (centre, inertia) = (numbers(&centre), numbers(&inertia));
         quote!(#runtime::model::InertialProperties { centre: #centre, inertia: #inertia })
     }))

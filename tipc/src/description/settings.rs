@@ -2,7 +2,7 @@
 
 use super::Leg;
 use super::keys;
-use super::legs::{Shape, read_shapes, read_spread};
+use super::legs::{Shape, read_inertial, read_shapes};
 use super::section::{Found, Section, Sign};
 use crate::message::{Describing, Letter};
 use crate::robot::Robot;
@@ -121,14 +121,14 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<S
     let mass = mass.unwrap_or(1.0);
     let point = Range::new(0.0, 0.0);
     let even = InertialProperties::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
-    let spread = read_spread(section, even, found);
+    let inertial = read_inertial(section, even, found);
     let shapes = read_shapes(section, found);
     let body = Body {
         x: x?,
         y: y?,
         z: z?,
         mass,
-        spread,
+        inertial,
     };
     Some((body, shapes))
 }

@@ -125,26 +125,26 @@ fn mirrors_follow_the_turn() {
 }
 
 /// Returns the mass distribution of the only link, in a leg with these keys.
-fn spread(leg: &str, keys: &str) -> InertialProperties {
+fn inertial(leg: &str, keys: &str) -> InertialProperties {
     let text = one_leg(&format!(
         "{{ axis = \"x\", link = [0, 0, -60], mass = 2, {keys} }}"
     ));
     let text = text.replace("base", &format!("{leg} base"));
     let model: Model<1, 1> = good(&text).model().unwrap();
-    model.legs[0].joints[0].spread.unwrap()
+    model.legs[0].joints[0].inertial.unwrap()
 }
 
 #[test]
 fn a_centre_and_an_inertia_are_turned_and_mirrored_with_their_link() {
     let both = "centre = [1, 2, -30], inertia = [0.01, 0.02, 0.025, 0.001, 0.002, 0.003]";
-    let plain = spread("", both);
+    let plain = inertial("", both);
     assert_eq!(plain.centre, [1.0, 2.0, -30.0]);
     assert_eq!(plain.inertia, [0.01, 0.02, 0.025, 0.001, 0.002, 0.003]);
     // A quarter turn: what was along x is along y, what was along y along −x.
-    let turned = spread("turn = 90,", both);
+    let turned = inertial("turn = 90,", both);
     assert_eq!(turned.centre, [-2.0, 1.0, -30.0]);
     assert_eq!(turned.inertia, [0.02, 0.01, 0.025, -0.001, -0.003, 0.002]);
-    let mirrored = spread("mirror = \"x\",", both);
+    let mirrored = inertial("mirror = \"x\",", both);
     assert_eq!(mirrored.centre, [-1.0, 2.0, -30.0]);
     assert_eq!(mirrored.inertia, [0.01, 0.02, 0.025, -0.001, -0.002, 0.003]);
 }
@@ -152,17 +152,17 @@ fn a_centre_and_an_inertia_are_turned_and_mirrored_with_their_link() {
 #[test]
 fn what_a_centre_or_an_inertia_leaves_out_is_that_of_a_rod_or_a_box() {
     // 2 kg of 60 mm: 2 · 0.06² / 12.
-    let rod = spread("", "centre = [0, 0, -10]");
+    let rod = inertial("", "centre = [0, 0, -10]");
     assert_eq!(rod.centre, [0.0, 0.0, -10.0]);
     assert!((rod.inertia[0] - 0.0006).abs() < 1e-15 && rod.inertia[2] == 0.0);
-    let middle = spread("", "inertia = [1e-3, 1e-3, 1e-3, 0, 0, 0]");
+    let middle = inertial("", "inertia = [1e-3, 1e-3, 1e-3, 0, 0, 0]");
     assert_eq!(middle.centre, [0.0, 0.0, -30.0]);
     let text = format!(
         "{}[body]\nx = [-30, 30]\ny = [-60, 60]\nz = [0, 0.000001]\nmass = 1\ncentre = [5, 0, 1]",
         one_leg("{ axis = \"x\", link = [0, 0, -60] }")
     );
     let model: Model<1, 1> = good(&text).model().unwrap();
-    let body = model.body.unwrap().spread.unwrap();
+    let body = model.body.unwrap().inertial.unwrap();
     // 1 kg of 60 mm by 120 mm.
     assert_eq!(body.centre, [5.0, 0.0, 1.0]);
     for (ours, wanted) in body

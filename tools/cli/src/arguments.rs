@@ -123,7 +123,7 @@ pub(super) struct InputArguments {
 impl InputArguments {
     /// Returns the events and the number of cycles, for a robot.
     pub(super) fn inputs(&self, robot: &Simulated) -> Inputs {
-        let period = robot.anatomy().standards.period;
+        let period = robot.description().standards.period;
         let keys = self.keys.clone().unwrap_or_default().0;
         // Sticks that spring back come from the middle.
         let has_sticks = self.sensors.iter().any(|sensor| sensor.stick().is_some());

@@ -254,7 +254,7 @@ impl Motion {
                 gait: kind.to_string(),
                 reason: Other::new(reason),
             }),
-            (Err(_), None) if robot.anatomy().body.is_none() => {
+            (Err(_), None) if robot.description().body.is_none() => {
                 Ok(Motion::bend(robot, bend::BEND_ANGLE))
             }
             (Err(reason), None) => {
@@ -320,7 +320,7 @@ impl Motion {
     fn bend(robot: &Robot, turn: f64) -> Self {
         Motion {
             stem: "bend",
-            program: bend::program(&robot.anatomy(), turn),
+            program: bend::program(&robot.description(), turn),
             test: include_str!("../templates/test_bend.rs"),
             travel: 0.0,
             ..Motion::walk("")
@@ -433,15 +433,15 @@ fn described(
     let drives = description.bus().map_or(&[][..], |bus| &bus.drives);
     let speeds = drives.iter().map(|drive| drive.speed);
     let robot = Robot::described(&description);
-    let anatomy = robot.anatomy();
+    let parts = robot.description();
     let motion = motion(&robot, speeds.fold(f64::INFINITY, f64::min));
     Ok(motion.map(|motion| Template {
         motion,
         robot: robot.name().to_owned(),
         description: Some(text),
         is_on_bus,
-        legs: anatomy.legs.len(),
-        joints: anatomy.joints,
+        legs: parts.legs.len(),
+        joints: parts.joints,
     }))
 }
 
@@ -488,9 +488,9 @@ servo = \"{servo}\"
 voltage = [9, 13]
 "
     );
-    let anatomy = robot.anatomy();
+    let parts = robot.description();
     let mut id = 0;
-    for (leg, limb) in (1..).zip(&anatomy.legs) {
+    for (leg, limb) in (1..).zip(&parts.legs) {
         for (number, joint) in (1..).zip(&limb.joints) {
             id += 1;
             let Range { min, max } = joint.limits;

@@ -98,7 +98,7 @@ fn summary(robot: &Robot) -> String {
         joints,
         feet,
         ..
-    } = robot.anatomy();
+    } = robot.description();
     let standing = body.map_or("bolted down".to_owned(), |body| {
         format!("body of {} kg", body.mass)
     });

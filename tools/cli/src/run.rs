@@ -362,7 +362,7 @@ impl Job<'_> {
         if has_sticks {
             screen.steer();
         }
-        let anatomy = robot.anatomy();
+        let description = robot.description();
         let source = &self.arguments.run.source;
         let (options, lang) = (source.options(robot.options().robot), self.arguments.lang());
         let mut run = begun.with_console(screen);
@@ -414,7 +414,7 @@ impl Job<'_> {
                 loaded: self.loaded,
                 options,
                 robot,
-                anatomy: &anatomy,
+                description: &description,
             };
             report::write_stderr(&stopped.report(source.output_options));
         }

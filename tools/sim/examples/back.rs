@@ -105,7 +105,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn measure(robot: &str, text: &str) -> Result<(), Box<dyn Error>> {
     let mut robot = Robot::named(robot)?;
-    if robot.anatomy().body.is_none() {
+    if robot.description().body.is_none() {
         let mut scene = Scene::EMPTY;
         scene.objects[0] = Some(CYLINDER);
         robot = robot.with_scene(&scene)?;

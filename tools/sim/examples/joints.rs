@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let scene = parse_scene(scene, &fs::read(scene)?).map_err(|_| "not a scene")?;
     let robot = match robot {
-        [description] => Robot::description(&fs::read_to_string(description)?)?,
+        [description] => Robot::from_description(&fs::read_to_string(description)?)?,
         _ => Robot::named("titan8")?,
     };
     let text = fs::read_to_string(path)?;

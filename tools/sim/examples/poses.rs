@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let robot = load(Path::new(&robot))?;
         fs::write(to.with_extension("urdf"), urdf::export(&robot))?;
         fs::write(to.with_extension("xml"), mjcf::export(&robot))?;
-        fs::write(to.with_extension("poses"), poses(&robot.anatomy()))?;
+        fs::write(to.with_extension("poses"), poses(&robot.description()))?;
     }
     Ok(())
 }
@@ -32,27 +32,31 @@ fn load(robot: &Path) -> Result<Robot, Box<dyn Error>> {
     let text = || fs::read_to_string(robot);
     let ending = robot.extension().and_then(|ending| ending.to_str());
     Ok(match ending {
-        Some("toml") => Robot::description(&text()?)?,
-        Some("urdf") => Robot::description(&import::import("robot.urdf", &text()?)?.toml)?,
+        Some("toml") => Robot::from_description(&text()?)?,
+        Some("urdf") => Robot::from_description(&import::import("robot.urdf", &text()?)?.toml)?,
         _ => Robot::named(&robot.to_string_lossy())?,
     })
 }
 
 /// A line `joint NAME DEGREES` for each joint, or `slider AXIS MM`, and a line `link NAME X Y Z` with its three axes, all of it
 /// in the robot frame in mm; a line `jacobian FOOT X Y Z …` with mm/rad for each joint of a leg; a blank line after each pose.
-fn poses(anatomy: &RobotDescription) -> String {
+fn poses(description: &RobotDescription) -> String {
     let mut random = Random::new(1);
     let mut text = String::new();
     for _ in 0..POSES {
         // Writing to a String cannot fail.
-        let _ = pose(&mut text, anatomy, &mut random);
+        let _ = pose(&mut text, description, &mut random);
         text.push('\n');
     }
     text
 }
 
-fn pose(text: &mut String, anatomy: &RobotDescription, random: &mut Random) -> std::fmt::Result {
-    for (number, leg) in (1..).zip(&anatomy.legs) {
+fn pose(
+    text: &mut String,
+    description: &RobotDescription,
+    random: &mut Random,
+) -> std::fmt::Result {
+    for (number, leg) in (1..).zip(&description.legs) {
         let angles: Vec<f64> = leg
             .joints
             .iter()
@@ -77,7 +81,7 @@ fn pose(text: &mut String, anatomy: &RobotDescription, random: &mut Random) -> s
         }
         writeln!(text)?;
     }
-    if let Some(slider) = &anatomy.slider {
+    if let Some(slider) = &description.slider {
         let at = slider
             .travel
             .map(|range| random.within(range.min, range.max));

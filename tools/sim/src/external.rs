@@ -195,7 +195,7 @@ pub(crate) struct ExternalHardware {
 
 impl ExternalHardware {
     fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, StartError> {
-        let layout = Layout::of(robot.name(), &robot.anatomy());
+        let layout = Layout::of(robot.name(), &robot.description());
         let hello = layout.hello().line();
         let mut link = Link::start(&plant.program, &plant.arguments, plant.listener.clone())
             .map_err(|reason| StartError::Process {

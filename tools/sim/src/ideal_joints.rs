@@ -38,20 +38,20 @@ struct Joint {
 }
 
 impl IdealJoints {
-    pub(crate) fn new(anatomy: &RobotDescription) -> Self {
-        let legs = anatomy.legs.iter();
+    pub(crate) fn new(description: &RobotDescription) -> Self {
+        let legs = description.legs.iter();
         let joints = legs.flat_map(|leg| leg.joints.iter().zip(&leg.initial));
         let resting = joints.map(|(joint, angle)| Joint {
             limits: joint.limits,
             angle: *angle,
             torque: 0.0,
         });
-        let (forces, slider) = (anatomy.forces, anatomy.slider);
+        let (forces, slider) = (description.forces, description.slider);
         IdealJoints {
             joints: resting.collect(),
             inputs: Inputs::all(0.0),
             // Only a body that stands on its legs has soles.
-            soles: anatomy.body.map_or(0, |_| anatomy.legs.len()),
+            soles: description.body.map_or(0, |_| description.legs.len()),
             slider: slider.map_or([0.0; 3], |slider| slider.initial),
             resistance: forces.map_or(0.0, |forces| 2.0 * forces.search_torque),
             torque_max: forces.map_or(1.0, |forces| forces.torque_max),

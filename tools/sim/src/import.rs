@@ -22,7 +22,7 @@
 //! </robot>"#;
 //!
 //! let import = tip_sim::import::import("pendulum.urdf", urdf)?;
-//! let robot = tip_sim::Robot::description(&import.toml)?;
+//! let robot = tip_sim::Robot::from_description(&import.toml)?;
 //! assert_eq!(robot.name(), "pendulum");
 //! assert!(!import.report.is_empty(), "masses had to be assumed");
 //!

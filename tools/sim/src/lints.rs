@@ -266,15 +266,15 @@ impl Starts {
     /// Creates the places in the initial posture. They are unknown for legs without a closed form, whose posture
     /// depends on their path.
     fn of(robot: &Robot) -> Self {
-        let anatomy = robot.anatomy();
-        if !anatomy.inverse.is_closed() {
+        let description = robot.description();
+        if !description.inverse.is_closed() {
             return Starts { feet: None };
         }
         let rests = |at: Point| Foot {
             rests: Some(at),
             goes: None,
         };
-        let feet = anatomy.feet.into_iter().map(rests);
+        let feet = description.feet.into_iter().map(rests);
         Starts {
             feet: Some(feet.collect()),
         }

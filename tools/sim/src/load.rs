@@ -54,7 +54,7 @@ impl Robot {
     ///
     /// # Errors
     /// All errors of the text.
-    pub fn description(toml: &str) -> Result<Self, LoadError> {
+    pub fn from_description(toml: &str) -> Result<Self, LoadError> {
         let parsed = description::parse("robot.toml", toml.as_bytes());
         parsed
             .map(|robot| Self::described(&robot))

@@ -39,34 +39,34 @@ const SKIN: f64 = 1e-3;
 /// or fingertips are the sites and touch sensors `F1` to `Fn`. The first keyframe, `initial`, is the initial posture.
 #[must_use]
 pub fn export(robot: &Robot) -> String {
-    let (anatomy, shapes) = (robot.anatomy(), robot.shapes());
+    let (description, shapes) = (robot.description(), robot.shapes());
     let initial_state = robot.initial_state();
     let mut parts = Parts::default();
     if initial_state.pose.is_some() {
         add_ground(&mut parts, robot.scene());
     }
-    open_base(&mut parts, &anatomy, &initial_state, &shapes.body);
-    for (number, leg) in (1..).zip(&anatomy.legs) {
+    open_base(&mut parts, &description, &initial_state, &shapes.body);
+    for (number, leg) in (1..).zip(&description.legs) {
         add_leg(
             &mut parts,
             number,
             leg,
-            &anatomy,
+            &description,
             shapes,
             initial_state.objects.is_some(),
         );
     }
     if initial_state.pose.is_some() {
-        exclude(&mut parts, robot, &anatomy);
+        exclude(&mut parts, robot, &description);
     }
-    if let Some(slider) = &anatomy.slider {
-        add_slider(&mut parts, slider, &anatomy, robot.scene());
+    if let Some(slider) = &description.slider {
+        add_slider(&mut parts, slider, &description, robot.scene());
     }
     if let Some(objects) = &initial_state.objects {
-        add_objects(&mut parts, &anatomy, robot.scene(), objects);
+        add_objects(&mut parts, &description, robot.scene(), objects);
     }
     parts.world.close("body");
-    parts.text(robot.name(), anatomy.standards.omega_max)
+    parts.text(robot.name(), description.standards.omega_max)
 }
 
 /// Converts a point or vector from mm to m.
@@ -189,12 +189,12 @@ const SHORTEST: f64 = 1e-5;
 /// Begins the body that carries all legs.
 fn open_base(
     parts: &mut Parts,
-    anatomy: &RobotDescription,
+    description: &RobotDescription,
     initial_state: &InitialState,
     shapes: &[Shape],
 ) {
     let world = &mut parts.world;
-    if let (Some(pose), Some(body)) = (&initial_state.pose, &anatomy.body) {
+    if let (Some(pose), Some(body)) = (&initial_state.pose, &description.body) {
         let [x, y, z] = metres(pose.position);
         // The contact shape around the foot stands on the floor.
         let (at, attitude) = ([x, y, z + SKIN], quaternion(pose));
@@ -225,12 +225,12 @@ fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let (half, middle) = (vector(half), vector(middle));
     let [xx, yy, zz] = inertia;
     let [xx, yy, zz, ..] = loadable([xx, yy, zz, 0.0, 0.0, 0.0]);
-    let (centre, inertia) = match &body.spread {
+    let (centre, inertia) = match &body.inertial {
         None => (
             [0.0; 3],
             format!("diaginertia=\"{}\"", vector([xx, yy, zz])),
         ),
-        Some(spread) => (spread.centre, full(spread.inertia)),
+        Some(inertial) => (inertial.centre, full(inertial.inertia)),
     };
     let (centre, mass) = (vector(metres(centre)), body.mass);
     let group = if shapes.is_empty() {
@@ -276,11 +276,11 @@ fn add_leg(
     parts: &mut Parts,
     number: u8,
     leg: &Limb,
-    anatomy: &RobotDescription,
+    description: &RobotDescription,
     shapes: &Shapes,
     hand: bool,
 ) {
-    let radius = frame::thickness(&anatomy.legs) / 1000.0;
+    let radius = frame::thickness(&description.legs) / 1000.0;
     let foot = frame::foot(number);
     let mut at = leg.base;
     let postures = leg.initial.iter().copied();
@@ -298,7 +298,7 @@ fn add_leg(
         carried(parts, joint, radius, shapes, touching, hand);
         let length = frame::length(metres(joint.link));
         if length >= SHORTEST {
-            let touches = match anatomy.body {
+            let touches = match description.body {
                 Some(_) => "",
                 None => " contype=\"0\" conaffinity=\"0\"",
             };
@@ -363,12 +363,12 @@ fn carried(
     let end = metres(joint.link);
     let length = frame::length(end);
     let mass = joint.mass;
-    let centre = joint.spread.map(|spread| metres(spread.centre));
+    let centre = joint.inertial.map(|inertial| metres(inertial.centre));
     let centre = vector(centre.unwrap_or(end.map(|part| part / 2.0)));
     // MuJoCo takes no full inertia of 0; its bounds stand for what weighs nothing.
-    let inertia = match (mass > 0.0, &joint.spread) {
+    let inertia = match (mass > 0.0, &joint.inertial) {
         (false, _) => "diaginertia=\"0 0 0\"".to_owned(),
-        (true, Some(spread)) => full(spread.inertia),
+        (true, Some(inertial)) => full(inertial.inertia),
         (true, None) => full(inertia(mass, end, radius)),
     };
     let end = vector(end);
@@ -390,8 +390,8 @@ fn carried(
 }
 
 /// Excludes the pairs of links that do not push each other in the plant with mass: those of one leg, and those that are not compared.
-fn exclude(parts: &mut Parts, robot: &Robot, anatomy: &RobotDescription) {
-    let links: Vec<(usize, usize)> = (anatomy.legs.iter().enumerate())
+fn exclude(parts: &mut Parts, robot: &Robot, description: &RobotDescription) {
+    let links: Vec<(usize, usize)> = (description.legs.iter().enumerate())
         .flat_map(|(n, leg)| (0..leg.joints.len()).map(move |j| (n, j)))
         .collect();
     let name = |(n, j): (usize, usize)| frame::link(n as u8 + 1, j as u8 + 1);
@@ -485,7 +485,7 @@ fn metres_of(range: [f64; 2]) -> [f64; 2] {
 }
 
 /// Writes a slider: it hangs on joints that are at 0 in its initial position, as in URDF.
-fn add_slider(parts: &mut Parts, slider: &Slider, anatomy: &RobotDescription, scene: &Scene) {
+fn add_slider(parts: &mut Parts, slider: &Slider, description: &RobotDescription, scene: &Scene) {
     let at = vector(metres(slider.initial));
     parts.world.open(&format!(
         "body name=\"{FLOOR}\" pos=\"{at}\" gravcomp=\"1\""
@@ -510,7 +510,7 @@ fn add_slider(parts: &mut Parts, slider: &Slider, anatomy: &RobotDescription, sc
     parts.world.add(&format!(
         "inertial pos=\"0 0 0\" mass=\"{mass}\" diaginertia=\"1 1 1\""
     ));
-    plate(parts, anatomy.inverse == Inverse::Planar, scene);
+    plate(parts, description.inverse == Inverse::Planar, scene);
     parts.world.close("body");
 }
 
@@ -540,11 +540,11 @@ fn plate(parts: &mut Parts, is_planar: bool, scene: &Scene) {
 /// these touch, the smaller friction counts.
 fn add_objects(
     parts: &mut Parts,
-    anatomy: &RobotDescription,
+    description: &RobotDescription,
     scene: &Scene,
     states: &[ObjectState],
 ) {
-    let [x, y, z] = frame::around(&anatomy.legs, 0.0);
+    let [x, y, z] = frame::around(&description.legs, 0.0);
     let (middle, half) = ((z.min + z.max) / 2000.0, (z.max - z.min) / 2000.0 + BESIDE);
     let thick = PALM.1 / 2.0;
     let size = vector([((x.max - x.min) / 2000.0).max(BESIDE), thick, half]);

@@ -78,7 +78,7 @@ pub(crate) type Distances = Arc<dyn Fn(&[f64]) -> Option<Gap> + Send + Sync>;
 
 /// A model of any size, without logic of its own.
 pub(crate) trait DynModel: Send + Sync {
-    fn anatomy(&self) -> RobotDescription;
+    fn description(&self) -> RobotDescription;
     /// Returns the miss of a PTP or PTP_ANGLE to these numbers, if it does not reach them. `limits` are the working
     /// limits of all joints, leg by leg, or empty for those of the model.
     fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss>;
@@ -102,7 +102,7 @@ pub(crate) trait DynModel: Send + Sync {
 }
 
 impl<const L: usize, const J: usize> DynModel for Model<L, J> {
-    fn anatomy(&self) -> RobotDescription {
+    fn description(&self) -> RobotDescription {
         let (legs, feet) = limbs(&self.legs);
         RobotDescription {
             body: self.body,

@@ -59,12 +59,12 @@ impl Run {
         robot: &Robot,
         joints: impl Joints + 'static,
     ) -> Result<Self, Mismatch> {
-        let anatomy = robot.anatomy();
-        let legs = anatomy.legs.len();
+        let description = robot.description();
+        let legs = description.legs.len();
         let hardware = Box::new(RealHardware {
             joints: Some(Box::new(joints)),
             legs,
-            soles: anatomy.body.map_or(0, |_| legs),
+            soles: description.body.map_or(0, |_| legs),
             angles: Vec::new(),
             inputs: Inputs::all(f64::NAN),
             distances: robot.distances(),
@@ -83,9 +83,9 @@ impl Robot {
         let Some(program) = &loaded.program else {
             return Vec::new();
         };
-        let anatomy = self.anatomy();
-        let joints = anatomy.legs.len() * anatomy.joints;
-        let soles = anatomy.body.map_or(0, |_| anatomy.legs.len());
+        let description = self.description();
+        let joints = description.legs.len() * description.joints;
+        let soles = description.body.map_or(0, |_| description.legs.len());
         let is_given = |port: Port| events.ports().any(|given| given == port);
         let steps = loaded.module.steps().zip(program.steps());
         let read = steps.filter_map(|(statement, step)| {

@@ -148,8 +148,8 @@ impl Robot {
     }
 
     /// Returns its parts.
-    pub fn anatomy(&self) -> RobotDescription {
-        self.model.anatomy()
+    pub fn description(&self) -> RobotDescription {
+        self.model.description()
     }
 
     /// Returns its shapes in a description.
@@ -234,7 +234,7 @@ impl Robot {
     fn simulated(&self) -> Box<dyn DynHardware> {
         match (self.plant.walking(&self.scene), &self.hardware) {
             (_, Hardware::Own(hardware)) => hardware.clone(),
-            (None, _) => Box::new(IdealJoints::new(&self.anatomy())),
+            (None, _) => Box::new(IdealJoints::new(&self.description())),
             (Some(_), Hardware::Hand(make)) => make(&self.scene),
             (Some(simulation), Hardware::Walker) => self.model.walker(simulation, &self.scene),
         }

@@ -191,12 +191,12 @@ pub struct SummaryBuilder {
 impl SummaryBuilder {
     /// Creates the summary of a run that has not begun.
     pub fn new(robot: &Robot) -> Self {
-        let anatomy = robot.anatomy();
-        let unit = anatomy
+        let description = robot.description();
+        let unit = description
             .forces
             .map_or(TorqueUnit::NewtonMetre, |forces| forces.unit);
-        let joints = || anatomy.legs.iter().flat_map(|leg| &leg.joints);
-        let weight = anatomy.body.map(|body| {
+        let joints = || description.legs.iter().flat_map(|leg| &leg.joints);
+        let weight = description.body.map(|body| {
             let links = joints().map(|joint| joint.mass).sum::<f64>();
             (body.mass + links) * GRAVITY
         });

@@ -23,7 +23,7 @@ pub(crate) struct Schema {
 impl Schema {
     /// Returns a schema without columns.
     pub(crate) fn new(spec: &Spec, robot: &Robot) -> Self {
-        let forces = robot.anatomy().forces;
+        let forces = robot.description().forces;
         let unit = forces.map_or(TorqueUnit::NewtonMetre, |forces| forces.unit);
         Schema {
             columns: Arc::default(),

@@ -109,7 +109,7 @@ impl RobotSpec {
 
     /// Makes the robot, and returns the text of its description if it has one.
     pub(crate) fn load(&self) -> Result<(Robot, Option<String>), SweepError> {
-        let described = |text: String| match Robot::description(&text) {
+        let described = |text: String| match Robot::from_description(&text) {
             Ok(robot) => Ok((robot, Some(text))),
             Err(error) => Err(SweepError::found(error.loaded())),
         };

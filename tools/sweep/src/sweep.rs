@@ -362,7 +362,7 @@ impl Sweep {
         }
         // Not locked: other threads go on meanwhile.
         let text = self.set(description, values, of_robot)?.text();
-        let robot = Robot::description(&text).map_err(|errors| {
+        let robot = Robot::from_description(&text).map_err(|errors| {
             let errors = Texts::reasons(errors.loaded());
             SweepError::from(Sweeping::RobotRefuses { errors })
         })?;

@@ -319,16 +319,16 @@ pub struct Skeleton {
 impl Skeleton {
     /// Returns the skeleton of a robot.
     pub fn of(robot: &Robot) -> Self {
-        let anatomy = robot.anatomy();
+        let description = robot.description();
         Skeleton {
             name: robot.name().to_owned(),
-            body: anatomy.body,
-            legs: anatomy.legs,
-            slider: anatomy.slider,
-            torque_unit: anatomy
+            body: description.body,
+            legs: description.legs,
+            slider: description.slider,
+            torque_unit: description
                 .forces
                 .map_or(TorqueUnit::NewtonMetre, |forces| forces.unit),
-            is_planar: anatomy.inverse == Inverse::Planar,
+            is_planar: description.inverse == Inverse::Planar,
         }
     }
 

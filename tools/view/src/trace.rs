@@ -122,7 +122,7 @@ impl Recording {
     pub fn from_trace(trace: &str, loaded: &Loaded, robot: &Robot) -> Result<Self, TraceError> {
         let program = loaded.program.as_ref().ok_or(TraceError::NoProgram)?;
         let script = Script::of(&loaded.source, program);
-        let mut period = robot.anatomy().standards.period;
+        let mut period = robot.description().standards.period;
         let mut time = 0.0;
         let mut outcome = Outcome::Unknown;
         let mut records: Vec<(Option<IssuedCommand>, Record)> = Vec::new();

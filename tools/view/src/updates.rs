@@ -359,7 +359,7 @@ impl<'a> Robot<'a> {
                 y: ends(body.y),
                 z: ends(body.z),
                 mass: body.mass,
-                centre: body.spread.map(|spread| spread.centre),
+                centre: body.inertial.map(|inertial| inertial.centre),
             }),
             legs: robot.legs.iter().map(Leg::of).collect(),
             planar: robot.is_planar,
@@ -375,7 +375,7 @@ impl<'a> Leg<'a> {
             link: joint.link,
             limits: [joint.limits.min, joint.limits.max],
             mass: joint.mass,
-            centre: joint.spread.map(|spread| spread.centre),
+            centre: joint.inertial.map(|inertial| inertial.centre),
         });
         Leg {
             base: limb.base,

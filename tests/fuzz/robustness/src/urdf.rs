@@ -14,7 +14,7 @@ pub fn examine(bytes: &[u8]) {
     match import("random.urdf", &String::from_utf8_lossy(bytes)) {
         Ok(found) => {
             description::examine(found.toml.as_bytes());
-            let robot = Robot::description(&found.toml).expect("it was examined");
+            let robot = Robot::from_description(&found.toml).expect("it was examined");
             let again = import("again.urdf", &export(&robot));
             assert!(again.is_ok(), "{again:?}: {}", found.toml);
         }

@@ -88,7 +88,7 @@ impl BodyDynamics {
         };
         let MovingFrame { rotation, rate, .. } = self.frame;
         let weight = Vector::new(0.0, 0.0, GRAVITY * body.mass);
-        let (centre, own, mut force) = match &body.spread {
+        let (centre, own, mut force) = match &body.inertial {
             None => {
                 let own =
                     rotation * Matrix3::from_diagonal(&box_inertia(&body)) * rotation.inverse();
@@ -98,8 +98,8 @@ impl BodyDynamics {
                 };
                 (Vector::zeros(), own, force)
             }
-            Some(spread) => {
-                let (centre, own) = placed(spread, rotation);
+            Some(inertial) => {
+                let (centre, own) = placed(inertial, rotation);
                 let pull = weight + rate.cross(&rate.cross(&centre)) * body.mass;
                 let force = Spatial {
                     angular: rate.cross(&(own * rate)) + centre.cross(&pull),

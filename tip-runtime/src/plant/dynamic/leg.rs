@@ -9,7 +9,7 @@ use super::Vector;
 use super::contact::{Bristle, FootContact};
 use super::servo::{Control, Drives, Saturation, Servo};
 use super::spatial::{
-    CholeskyFactor, Contribution, Inertia, MovingFrame, Spatial, dot, placed, spread, tensor,
+    CholeskyFactor, Contribution, Inertia, MovingFrame, Spatial, dot, placed, point_mass, tensor,
 };
 use super::terrain::StepContext;
 use crate::hardware::JointCommand;
@@ -402,14 +402,14 @@ impl<const J: usize> LegBody<J> {
 /// Returns the least effective mass of the end of a floating link, kg: a quarter of a uniform rod's
 /// mass.
 fn end_mass(joint: &Joint) -> f64 {
-    let Some(spread) = &joint.spread else {
+    let Some(inertial) = &joint.inertial else {
         return joint.mass / 4.0;
     };
-    let Some(turns) = tensor(spread).try_inverse() else {
+    let Some(turns) = tensor(inertial).try_inverse() else {
         return joint.mass / 4.0;
     };
     // A push at the end moves the centre, and turns the link about it.
-    let arm = length(joint) - Vector::from(spread.centre) / 1000.0;
+    let arm = length(joint) - Vector::from(inertial.centre) / 1000.0;
     let give = |push: Vector| {
         let moment = arm.cross(&push);
         moment.dot(&(turns * moment))
@@ -507,12 +507,12 @@ impl LinkWalk {
     /// its inertia.
     #[inline]
     pub(super) fn link(&self, joint: &Joint) -> Contribution {
-        let (arm, own) = match &joint.spread {
+        let (arm, own) = match &joint.inertial {
             None => {
                 let link = self.rotation * length(joint);
-                (link / 2.0, spread(link) * (joint.mass / 12.0))
+                (link / 2.0, point_mass(link) * (joint.mass / 12.0))
             }
-            Some(spread) => placed(spread, self.rotation),
+            Some(inertial) => placed(inertial, self.rotation),
         };
         let centre = self.at + arm;
         let force = (self.acceleration_at(arm) - self.gravity) * joint.mass;

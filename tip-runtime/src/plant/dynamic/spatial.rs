@@ -117,7 +117,7 @@ impl Inertia {
         Inertia {
             mass,
             moment: centre * mass,
-            turning: own + spread(centre) * mass,
+            turning: own + point_mass(centre) * mass,
         }
     }
 
@@ -176,25 +176,25 @@ impl AddAssign for Inertia {
 /// Returns the centre (m) of a mass in a rotated frame, and its inertia about it (kg·m²).
 #[inline]
 pub(super) fn placed(
-    spread: &InertialProperties,
+    inertial: &InertialProperties,
     turned: Rotation3<f64>,
 ) -> (Vector, Matrix3<f64>) {
     (
-        turned * (Vector::from(spread.centre) / 1000.0),
-        turned * tensor(spread) * turned.inverse(),
+        turned * (Vector::from(inertial.centre) / 1000.0),
+        turned * tensor(inertial) * turned.inverse(),
     )
 }
 
 /// Returns the inertia about the centre in its own frame, kg·m².
 #[inline]
-pub(super) fn tensor(spread: &InertialProperties) -> Matrix3<f64> {
-    let [xx, yy, zz, xy, xz, yz] = spread.inertia;
+pub(super) fn tensor(inertial: &InertialProperties) -> Matrix3<f64> {
+    let [xx, yy, zz, xy, xz, yz] = inertial.inertia;
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
 /// Returns the inertia of 1 kg at `place` about the origin.
 #[inline]
-pub(super) fn spread(place: Vector) -> Matrix3<f64> {
+pub(super) fn point_mass(place: Vector) -> Matrix3<f64> {
     let (x, y, z) = (place.x, place.y, place.z);
     Matrix3::new(
         y * y + z * z,

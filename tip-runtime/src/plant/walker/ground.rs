@@ -142,7 +142,7 @@ impl<const L: usize> GroundInterface for Ground<L> {
         let Some(body) = self.model else {
             return (0.0, Vector::zeros());
         };
-        let centre = body.spread.map(|spread| Vector::from(spread.centre));
+        let centre = body.inertial.map(|inertial| Vector::from(inertial.centre));
         let moment = centre.map_or(Vector::zeros(), |centre| centre * body.mass);
         (body.mass, moment)
     }

@@ -65,9 +65,9 @@ impl<const J: usize> LegLinks<J> {
             let own_axis = Unit::new_unchecked(own_axis);
             turned *= Rotation3::from_axis_angle(&own_axis, angle.to_radians());
             let link = turned * Vector::from(joint.link);
-            *centre = match joint.spread {
+            *centre = match joint.inertial {
                 None => at + link / 2.0,
-                Some(spread) => at + turned * Vector::from(spread.centre),
+                Some(inertial) => at + turned * Vector::from(inertial.centre),
             };
             at += link;
         }

@@ -30,7 +30,7 @@ const fn walking<const L: usize, const J: usize>(
             y: Range::new(-200.0, 200.0),
             z: Range::new(-z, 50.0),
             mass: 5.0,
-            spread: None,
+            inertial: None,
         }),
         ..bolted(name, legs)
     }

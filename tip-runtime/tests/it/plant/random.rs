@@ -40,7 +40,7 @@ const HEXAPOD: Model<6, 3> = Model {
         y: Range::new(-180.0, 180.0),
         z: Range::new(-60.0, 30.0),
         mass: 4.0,
-        spread: None,
+        inertial: None,
     }),
     ..Model::generic(
         "hexapod",

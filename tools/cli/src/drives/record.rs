@@ -274,7 +274,7 @@ fn limits(connection: &Connection, robot: &Robot) -> Limits {
         period: setup.period,
         slow: speeds.iter().copied().fold(setup.bus.start, f64::min),
         speeds,
-        standards: robot.anatomy().standards,
+        standards: robot.description().standards,
     }
 }
 
@@ -321,7 +321,7 @@ impl<'a> Recording<'a> {
     ) -> Self {
         Recording {
             connection,
-            mirror: Mirror::of(&robot.anatomy()),
+            mirror: Mirror::of(&robot.description()),
             existing,
             lang,
             is_continuous,

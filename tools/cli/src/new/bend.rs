@@ -12,8 +12,8 @@ pub(super) const BEND_ANGLES: [f64; 3] = [BEND_ANGLE, 6.0, 3.0];
 const SHARE: f64 = 0.8;
 
 /// Returns a program that turns each joint by an angle, deg.
-pub(super) fn program(anatomy: &RobotDescription, turn: f64) -> String {
-    let numbered = (1..).zip(&anatomy.legs);
+pub(super) fn program(description: &RobotDescription, turn: f64) -> String {
+    let numbered = (1..).zip(&description.legs);
     let legs = numbered.map(|(number, limb)| bend_leg(Target::Foot(number), limb, turn));
     let begin = include_str!("../../templates/motions/bend.prg");
     let end = include_str!("../../templates/motions/bend_end.prg");
@@ -85,17 +85,19 @@ fn bent_angles(limb: &Limb, turn: f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn anatomy(joints: &str, initial: &str) -> RobotDescription {
+    fn description(joints: &str, initial: &str) -> RobotDescription {
         let text = format!(
             "name = \"ours\"\njoint = [{joints}]\nleg = [{{ base = [0, 100, 0] }}]\ninitial = [{initial}]\n"
         );
-        Robot::description(&text).expect("a description").anatomy()
+        Robot::from_description(&text)
+            .expect("a description")
+            .description()
     }
 
     #[test]
     fn joints_turn_to_where_the_foot_rises() {
         // A positive turn about -y raises what points along x; at the limit of 5 deg there is only the other side.
-        let limb = &anatomy(
+        let limb = &description(
             "{ axis = \"-y\", link = [100, 0, 0], limits = [-60, 60] },
              { axis = \"y\", link = [100, 0, 0], limits = [-60, 60] },
              { axis = \"z\", link = [100, 0, 0], limits = [-60, 5] }",
@@ -108,7 +110,7 @@ mod tests {
 
     #[test]
     fn a_joint_stays_within_its_limits() {
-        let limb = &anatomy(
+        let limb = &description(
             "{ axis = \"z\", link = [100, 0, 0], limits = [-10, 2] }",
             "0",
         )

@@ -75,8 +75,8 @@ const SLOWER: f64 = 0.75;
 /// The reason why there is none.
 pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>, speed: f64) -> Result<Gait, Making> {
     let speed = speed.min(ServoDynamics::default().speed);
-    let legs = robot.anatomy().legs.len();
-    if robot.anatomy().body.is_none() {
+    let legs = robot.description().legs.len();
+    if robot.description().body.is_none() {
         return Err(Making::BoltedDown);
     }
     if let Some(kind) = kind {
@@ -99,8 +99,8 @@ pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>, speed: f64) -> Res
 /// # Errors
 /// The robot cannot walk so, or falls in each trial.
 fn find_kind(robot: &Robot, kind: Kind, speed: f64) -> Result<Gait, Making> {
-    let anatomy = robot.anatomy();
-    let plan = Plan::derive(&anatomy, kind, speed)?;
+    let description = robot.description();
+    let plan = Plan::derive(&description, kind, speed)?;
     let (mut level_only, mut reason) = (None, None);
     for plan in [&plan, &plan.slower(SLOWER)] {
         match try_on_floors(robot, plan) {

@@ -28,7 +28,7 @@ pub(super) struct Stopped<'a> {
     pub(super) loaded: &'a Loaded,
     pub(super) options: Options,
     pub(super) robot: &'a Robot,
-    pub(super) anatomy: &'a RobotDescription,
+    pub(super) description: &'a RobotDescription,
 }
 
 /// The last measured state of a joint, deg.
@@ -143,7 +143,7 @@ impl Stopped<'_> {
 
     /// Returns the last measured states of all joints, leg by leg.
     pub(super) fn joints(&self) -> impl Iterator<Item = JointState> {
-        let joints = (1..).zip(&self.anatomy.legs).flat_map(|(leg, limb)| {
+        let joints = (1..).zip(&self.description.legs).flat_map(|(leg, limb)| {
             let joints = (1..).zip(&limb.joints);
             joints.map(move |(joint, _)| Target::Joint(leg, joint))
         });

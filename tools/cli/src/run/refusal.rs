@@ -147,7 +147,7 @@ impl Stopped<'_> {
         let base = |index: usize| match (op, *target) {
             (Op::Ptp, Target::Foot(leg)) => {
                 let leg = usize::from(leg).checked_sub(1)?;
-                let limb = self.anatomy.legs.get(leg)?;
+                let limb = self.description.legs.get(leg)?;
                 let angles = self.run.angles().get(leg * limb.joints.len()..)?;
                 limb.foot(angles.get(..limb.joints.len())?)
                     .get(index)

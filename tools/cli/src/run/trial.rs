@@ -46,7 +46,7 @@ pub(crate) fn trial(
                 loaded,
                 options: robot.options(),
                 robot,
-                anatomy: &robot.anatomy(),
+                description: &robot.description(),
             };
             text += &stopped.report(options);
         }

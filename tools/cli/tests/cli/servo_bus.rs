@@ -92,8 +92,8 @@ impl ServoBus {
     pub(crate) fn of(text: &str, beside: f64) -> Self {
         let description = described(text);
         let bus = description.bus().expect("a bus");
-        let anatomy = tip_sim::Robot::described(&description).anatomy();
-        let initial = anatomy.legs.iter().flat_map(|leg| leg.initial.clone());
+        let description = tip_sim::Robot::described(&description).description();
+        let initial = description.legs.iter().flat_map(|leg| leg.initial.clone());
         let servos = bus.drives.iter().zip(initial).map(|(drive, initial)| {
             let model = Model::named(&drive.model).expect("checked");
             let angle = (initial + beside).clamp(drive.limits.min, drive.limits.max);

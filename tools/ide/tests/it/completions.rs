@@ -30,7 +30,7 @@ fn robots() -> Vec<Robot> {
     });
     let described = DESCRIBED
         .into_iter()
-        .map(|text| Robot::description(text).expect("it describes a robot"));
+        .map(|text| Robot::from_description(text).expect("it describes a robot"));
     named.chain(described).collect()
 }
 

@@ -234,7 +234,7 @@ fn each_topic_has_its_schema_and_as_many_messages_as_the_run() {
 
 #[test]
 fn transforms_put_the_feet_where_the_run_has_them() {
-    let hexapod = Robot::description(&example("six-legs/hexapod.toml")).expect("a robot");
+    let hexapod = Robot::from_description(&example("six-legs/hexapod.toml")).expect("a robot");
     for (text, robot) in [
         (example("walk/motions/walk.prg"), titan()),
         (example("six-legs/motions/tripod.prg"), hexapod),

@@ -214,15 +214,17 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub(super) fn of(robot: &str, anatomy: &RobotDescription) -> Self {
-        let legs = anatomy.legs.len();
-        let unit = anatomy.forces.map(|forces| forces.unit.per_newton_metre());
+    pub(super) fn of(robot: &str, description: &RobotDescription) -> Self {
+        let legs = description.legs.len();
+        let unit = description
+            .forces
+            .map(|forces| forces.unit.per_newton_metre());
         Layout {
             robot: robot.to_owned(),
             legs,
-            joints: anatomy.joints,
-            period: anatomy.standards.period,
-            initial: anatomy
+            joints: description.joints,
+            period: description.standards.period,
+            initial: description
                 .legs
                 .iter()
                 .flat_map(|leg| &leg.initial)
@@ -230,8 +232,8 @@ impl Layout {
                 .collect(),
             per_newton_metre: unit.unwrap_or(1.0),
             has_torques: unit.is_some(),
-            has_slider: anatomy.slider.is_some(),
-            soles: if anatomy.body.is_some() { legs } else { 0 },
+            has_slider: description.slider.is_some(),
+            soles: if description.body.is_some() { legs } else { 0 },
         }
     }
 

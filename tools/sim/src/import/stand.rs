@@ -39,7 +39,7 @@ const STANDS_FOR: u64 = 500;
 /// Iterates over the whole heights that are tried for a robot whose initial posture is left open,
 /// mm.
 pub(super) fn heights(robot: &Description) -> impl Iterator<Item = f64> {
-    let legs = Robot::described(robot).anatomy().legs;
+    let legs = Robot::described(robot).description().legs;
     let size = |leg: &Limb| {
         leg.joints
             .iter()

@@ -69,8 +69,8 @@ struct Postures<'a> {
 
 impl<'a> Postures<'a> {
     fn of(robot: &'a Robot) -> Self {
-        let anatomy = robot.anatomy();
-        let initial: Vec<f64> = anatomy
+        let description = robot.description();
+        let initial: Vec<f64> = description
             .legs
             .iter()
             .flat_map(|leg| leg.initial.clone())
@@ -78,7 +78,7 @@ impl<'a> Postures<'a> {
         Postures {
             robot,
             distances: robot.distances(),
-            of_leg: anatomy.joints,
+            of_leg: description.joints,
             targets: Some(initial.clone()),
             initial,
             moving: BTreeSet::new(),

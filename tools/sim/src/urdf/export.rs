@@ -39,24 +39,24 @@ const HEAD: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 /// ```
 #[must_use]
 pub fn export(robot: &Robot) -> String {
-    let (anatomy, shapes) = (robot.anatomy(), robot.shapes());
+    let (description, shapes) = (robot.description(), robot.shapes());
     let mut writer = Writer {
         text: HEAD.to_owned(),
-        thickness: frame::thickness(&anatomy.legs),
-        speed: anatomy.standards.omega_max.to_radians(),
+        thickness: frame::thickness(&description.legs),
+        speed: description.standards.omega_max.to_radians(),
     };
     writer.line(&format!("<robot name=\"{}\">", xml::escaped(robot.name())));
     writer.line("<material name=\"body\"><color rgba=\"0.35 0.4 0.45 1\"/></material>");
     writer.line("<material name=\"limb\"><color rgba=\"0.9 0.55 0.15 1\"/></material>");
-    match &anatomy.body {
+    match &description.body {
         Some(body) => writer.walking(body, &shapes.body),
-        None => writer.bolted_down(&anatomy),
+        None => writer.bolted_down(&description),
     }
-    for (number, leg) in (1..).zip(&anatomy.legs) {
+    for (number, leg) in (1..).zip(&description.legs) {
         writer.leg(number, leg, shapes);
     }
-    if let Some(slider) = &anatomy.slider {
-        writer.slider(slider, &anatomy);
+    if let Some(slider) = &description.slider {
+        writer.slider(slider, &description);
     }
     writer.line("</robot>");
     writer.text
@@ -116,8 +116,8 @@ impl Writer {
         let whole = block(ranges);
         let element = LinkElement {
             mass: body.mass,
-            spread: Some(
-                body.spread
+            inertial: Some(
+                body.inertial
                     .unwrap_or(InertialProperties::block(ranges, body.mass)),
             ),
             even: None,
@@ -137,11 +137,11 @@ impl Writer {
     }
 
     /// Writes a base that is bolted down, drawn as a plate through the first joints.
-    fn bolted_down(&mut self, anatomy: &RobotDescription) {
+    fn bolted_down(&mut self, description: &RobotDescription) {
         self.link(WORLD, &LinkElement::default());
-        let around = frame::around(&anatomy.legs, self.thickness);
+        let around = frame::around(&description.legs, self.thickness);
         self.link(BASE, &plate(around));
-        let turned = frame::standing(anatomy.inverse == Inverse::Planar);
+        let turned = frame::standing(description.inverse == Inverse::Planar);
         let element = JointElement {
             name: "base_fixed",
             parent: WORLD,
@@ -196,7 +196,7 @@ impl Writer {
         };
         LinkElement {
             mass: joint.mass,
-            spread: joint.spread,
+            inertial: joint.inertial,
             even: Some(rod.unwrap_or(ball)),
             collision: visual.iter().map(|(shape, _)| *shape).collect(),
             visual,
@@ -205,7 +205,7 @@ impl Writer {
 
     /// Writes a joint for each axis along which the slider moves, and the plate that carries the
     /// floor. All joints are at 0 in the slider's initial position.
-    fn slider(&mut self, slider: &Slider, anatomy: &RobotDescription) {
+    fn slider(&mut self, slider: &Slider, description: &RobotDescription) {
         let (mut parent, mut at) = (BASE.to_owned(), slider.initial);
         for axis in frame::ways(slider) {
             let name = frame::carriage(axis);
@@ -228,12 +228,12 @@ impl Writer {
             self.joint(&element, "prismatic", [0.0; 3], &rest);
             (parent, at) = (child, [0.0; 3]);
         }
-        let up = if anatomy.inverse == Inverse::Planar {
+        let up = if description.inverse == Inverse::Planar {
             1
         } else {
             2
         };
-        let mut around = frame::around(&anatomy.legs, 10.0 * self.thickness);
+        let mut around = frame::around(&description.legs, 10.0 * self.thickness);
         // Its upper side is where the floor is, in its own frame.
         around[up].min = -PLATE;
         around[up].max = 0.0;
@@ -263,7 +263,7 @@ pub(super) struct LinkElement {
     /// Mass, kg.
     pub(super) mass: f64,
     /// The inertia, unless the mass is uniform in `even`.
-    pub(super) spread: Option<InertialProperties>,
+    pub(super) inertial: Option<InertialProperties>,
     pub(super) even: Option<Shape>,
     /// Visual shapes with their materials.
     pub(super) visual: Vec<(Shape, &'static str)>,
@@ -299,10 +299,10 @@ impl LinkElement {
     fn inertial(&self) -> Option<String> {
         let mass = Some(self.mass).filter(|mass| *mass > 0.0)?;
         let mass = mass.max(LEAST_MASS);
-        let (origin, inertia) = match (&self.spread, &self.even) {
-            (Some(spread), _) => (
-                origin(spread.centre, [0.0; 3]),
-                frame::tensor(spread.inertia),
+        let (origin, inertia) = match (&self.inertial, &self.even) {
+            (Some(inertial), _) => (
+                origin(inertial.centre, [0.0; 3]),
+                frame::tensor(inertial.inertia),
             ),
             (None, Some(even)) => {
                 let [x, y, z] = moments(&even.form, mass);

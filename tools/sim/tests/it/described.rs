@@ -22,7 +22,7 @@ fn description(legs: usize, joints: usize) -> String {
 fn every_size_moves_its_last_joint() -> Result<(), Box<dyn Error>> {
     for legs in 1..=9 {
         for joints in 1..=9 {
-            let robot = Robot::description(&description(legs, joints))?;
+            let robot = Robot::from_description(&description(legs, joints))?;
             let text =
                 format!("3.1\nt\nPTP_ANGLE J{legs}{joints} 5\nWAIT_INPOS J{legs}{joints}\nEND\n");
             let mut run = Run::new(load("p.prg", &text, &robot)?, robot)?;
@@ -37,7 +37,7 @@ fn every_size_moves_its_last_joint() -> Result<(), Box<dyn Error>> {
 
 #[test]
 fn a_faulty_description_tells_its_faults() {
-    let error = Robot::description("name = 3\n")
+    let error = Robot::from_description("name = 3\n")
         .expect_err("no legs")
         .to_string();
     assert!(error.contains("robot.toml:1:"), "{error}");

@@ -56,12 +56,12 @@ fn near(ours: &[f64], expected: &[f64]) {
 fn every_joint_has_a_motor_of_its_name_in_the_order_of_the_trace() {
     for name in NAMED {
         let robot = named(name);
-        let (text, anatomy) = (mjcf::export(&robot), robot.anatomy());
+        let (text, description) = (mjcf::export(&robot), robot.description());
         let model = read(&text);
-        let legs = 1..=anatomy.legs.len();
+        let legs = 1..=description.legs.len();
         let mut expected: Vec<String> = legs
             .clone()
-            .flat_map(|leg| (1..=anatomy.joints).map(move |joint| format!("J{leg}{joint}")))
+            .flat_map(|leg| (1..=description.joints).map(move |joint| format!("J{leg}{joint}")))
             .collect();
         if name == "hand" {
             expected.push("floor_y".to_owned());
@@ -76,9 +76,9 @@ fn every_joint_has_a_motor_of_its_name_in_the_order_of_the_trace() {
         }
         let controls = numbers(one(&model, "key", "initial"), "ctrl");
         let degrees: Vec<f64> = controls.iter().map(|angle| angle.to_degrees()).collect();
-        let postures = anatomy.legs.iter().flat_map(|leg| leg.initial.clone());
+        let postures = description.legs.iter().flat_map(|leg| leg.initial.clone());
         near(
-            &degrees[..anatomy.legs.len() * anatomy.joints],
+            &degrees[..description.legs.len() * description.joints],
             &postures.collect::<Vec<_>>(),
         );
         for leg in legs {
@@ -224,7 +224,7 @@ fn a_link_that_weighs_nothing_leaves_its_inertia_to_the_bounds() {
         let text = format!(
             "name = \"arm\"\n[[leg]]\nbase = [0, 0, 0]\njoint = [{{ axis = \"z\", link = [100, 0, 0], mass = {mass} }}]\n"
         );
-        mjcf::export(&Robot::description(&text).expect("a robot"))
+        mjcf::export(&Robot::from_description(&text).expect("a robot"))
     };
     let (light, heavy) = (arm("0"), arm("0.5"));
     let inertial = |text: &str, attribute: &str| {
@@ -253,7 +253,7 @@ fn no_size_is_nothing() {
     // Links that are nearly nothing, of which no rod is made.
     let short = "name = \"short\"\nleg = [{ base = [0, 0, 0] }]\njoint = [
         { axis = \"x\", link = [0, 0, 1e-9] }, { axis = \"y\", link = [0, 1e-4, 0] }, { axis = \"x\", link = [0, 0, -50] }]";
-    let short = Robot::description(short).expect("a description");
+    let short = Robot::from_description(short).expect("a description");
     for robot in [Robot::of(model), short] {
         let [mjcf, urdf] = [mjcf::export(&robot), urdf::export(&robot)];
         for text in [&mjcf, &urdf] {
@@ -288,7 +288,7 @@ fn every_inertia_is_that_of_a_body_with_some_thickness() {
         let text = format!(
             "name = \"arm\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{{ axis = \"x\", link = [0, 0, -50], {joint} }}]\n{body}"
         );
-        Robot::description(&text).expect("a description")
+        Robot::from_description(&text).expect("a description")
     };
     let plain = "[body]\nx = [-50, 50]\ny = [-50, 50]\nz = [-10, 10]\n";
     let dust = "[body]\nx = [0, 0.000001]\ny = [0, 0.000001]\nz = [0, 0.000001]\n";

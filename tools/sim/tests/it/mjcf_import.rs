@@ -447,13 +447,13 @@ fn exported_robots_return() {
         include_str!("../../../../tipc/tests/robots/hexapod.toml"),
         include_str!("../../../../tests/language/cases/robots/nine.toml"),
     ] {
-        robots.push(Robot::description(toml).expect("it is a robot"));
+        robots.push(Robot::from_description(toml).expect("it is a robot"));
     }
     for robot in robots {
         let name = robot.name();
         let (first, _) = imported(&mjcf::export(&robot));
-        let again = Robot::description(&first.toml).expect("it is a robot");
-        let (ours, theirs) = (robot.anatomy(), again.anatomy());
+        let again = Robot::from_description(&first.toml).expect("it is a robot");
+        let (ours, theirs) = (robot.description(), again.description());
         assert_eq!(ours.inverse, theirs.inverse, "{name}");
         assert_eq!(ours.legs.len(), theirs.legs.len(), "{name}");
         for (ours, theirs) in ours.legs.iter().zip(&theirs.legs) {
@@ -469,9 +469,14 @@ fn exported_robots_return() {
                 );
             }
         }
-        let weight = |robot: &Robot| robot.anatomy().body.map(|body| body.mass);
+        let weight = |robot: &Robot| robot.description().body.map(|body| body.mass);
         assert_eq!(weight(&robot), weight(&again), "{name}");
-        let box_of = |robot: &Robot| robot.anatomy().body.map(|body| [body.x, body.y, body.z]);
+        let box_of = |robot: &Robot| {
+            robot
+                .description()
+                .body
+                .map(|body| [body.x, body.y, body.z])
+        };
         for (ours, theirs) in box_of(&robot)
             .iter()
             .flatten()
@@ -480,7 +485,7 @@ fn exported_robots_return() {
             near(&[ours.min, ours.max], &[theirs.min, theirs.max]);
         }
         near(&[ours.standards.omega_max], &[theirs.standards.omega_max]);
-        let travel = |robot: &Robot| robot.anatomy().slider.map(|slider| slider.travel);
+        let travel = |robot: &Robot| robot.description().slider.map(|slider| slider.travel);
         for (ours, theirs) in travel(&robot)
             .iter()
             .flatten()

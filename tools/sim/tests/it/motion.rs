@@ -155,7 +155,7 @@ fn a_turn_on_the_spot_is_a_turn_and_no_travel() -> Outcome {
         let (sin, cos) = 10.0_f64.to_radians().sin_cos();
         (x * cos + y * sin, y * cos - x * sin)
     };
-    let feet = Robot::named("titan8")?.anatomy().feet;
+    let feet = Robot::named("titan8")?.description().feet;
     let mut text = format!("{STAND}ALL_STOP\n");
     for (leg, [x, y, _]) in (1..).zip(feet) {
         let (to_x, to_y) = turned(x, y);
@@ -182,7 +182,7 @@ fn the_feet_of_a_standing_robot_carry_its_weight_and_its_margin_is_that_of_its_f
     close(limbs.loads.iter().sum(), 20.0 * G, 0.1);
     assert!(limbs.angles.iter().all(|leg| leg.len() == 3));
     // The centre of mass is in the middle: the sides of the rectangle are as far as the feet.
-    let feet = Robot::named("titan8")?.anatomy().feet;
+    let feet = Robot::named("titan8")?.description().feet;
     let nearest = |axis: usize| {
         feet.iter()
             .map(|foot| foot[axis].abs())
@@ -231,7 +231,7 @@ fn what_does_not_walk_or_is_not_a_hand_says_nothing_about_it() -> Outcome {
     let bolted = "name = \"bolted\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\n\
                   leg = [{ base = [0, 0, 0] }]\n";
     let mut run = on(
-        Robot::description(bolted)?,
+        Robot::from_description(bolted)?,
         "3.1\nt\nPTP_ANGLE J11 5\nSLEEP 200\nEND\n",
     )?;
     run.to_end(Limit::NONE);

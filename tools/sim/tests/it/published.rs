@@ -6,8 +6,8 @@ use tip_runtime::random::Random;
 use tip_runtime::record::Ending;
 use tip_sim::{Limit, Plant, Robot, RobotDescription, Run, load};
 
-fn anatomy(name: &str) -> RobotDescription {
-    Robot::named(name).expect("a published robot").anatomy()
+fn description(name: &str) -> RobotDescription {
+    Robot::named(name).expect("a published robot").description()
 }
 
 #[track_caller]
@@ -29,7 +29,7 @@ fn a_phantomx_stands_as_its_controller_does() {
         [60.0 + r, -120.0 - r, -120.0],
     ];
     let pairs = right.map(|[x, y, z]| [[-x, y, z], [x, y, z]]);
-    let robot = anatomy("phantomx");
+    let robot = description("phantomx");
     stands(&robot, pairs.as_flattened());
     assert_eq!(robot.inverse, Inverse::YawPitchPitch);
 }
@@ -42,15 +42,15 @@ fn four(x: f64, y: f64, z: f64) -> [Point; 4] {
 #[test]
 fn quadrupeds_stand_on_feet_below_their_thighs() {
     let half = 0.5_f64.sqrt();
-    let a1 = anatomy("a1");
+    let a1 = description("a1");
     stands(&a1, &four(47.0 + 83.8, 180.5, -400.0 * half));
-    let solo12 = anatomy("solo12");
+    let solo12 = description("solo12");
     let side = 87.5 + 14.0 + 37.45 + 9.0;
     stands(&solo12, &four(side, 214.1 - 19.5, -320.0 * half));
     // The lower leg leans as far forward as the upper one back: 107.5 sin 45 deg = 130 sin a.
     let lean = (107.5 * half / 130.0).asin();
     let height = 107.5 * half + 130.0 * lean.cos();
-    let spotmicro = anatomy("spotmicro");
+    let spotmicro = description("spotmicro");
     stands(&spotmicro, &four(39.0 + 55.0, 93.0, -height));
     for robot in [&a1, &solo12, &spotmicro] {
         assert_eq!(robot.inverse, Inverse::RollPitchPitch);
@@ -71,7 +71,7 @@ fn fingers_of_a_trifinger_stand_round_its_middle() {
         let (sin, cos) = angle.to_radians().sin_cos();
         [cos * x - sin * y, sin * x + cos * y, z]
     };
-    let robot = anatomy("trifinger");
+    let robot = description("trifinger");
     stands(&robot, &[0.0, -120.0, -240.0].map(turned));
     assert!(robot.body.is_none() && robot.forces.is_some());
 }
@@ -267,15 +267,15 @@ fn apart(plant: Plant) -> [f64; 2] {
     const RADIUS: f64 = 30.0;
     let robot = Robot::named("trifinger").expect("a published robot");
     let robot = robot.with_plant(plant);
-    let anatomy = robot.anatomy();
+    let description = robot.description();
     let circle = include_str!("../../../../examples/published/fingertips.prg");
     let program = load("fingertips.prg", circle, &robot).expect("it loads");
     let mut run = Run::new(program, robot).expect("it was checked for it");
     let (mut round, mut up, mut turned) = (0.0_f64, 0.0_f64, [false; 4]);
     while run.ending().is_none() {
         run.cycle();
-        let angles = run.angles().chunks(anatomy.joints);
-        for ((limb, first), angles) in anatomy.legs.iter().zip(&anatomy.feet).zip(angles) {
+        let angles = run.angles().chunks(description.joints);
+        for ((limb, first), angles) in description.legs.iter().zip(&description.feet).zip(angles) {
             let tip = limb.foot(angles);
             // They begin on the right of the circle.
             let [x, y] = [tip[0] - first[0] + RADIUS, tip[1] - first[1]];

@@ -87,7 +87,7 @@ fn the_hand_has_no_z_but_a_slider() {
         said.len() == 1 && said[0].contains("along x it goes from"),
         "{said:?}"
     );
-    let feet = Robot::named("hand").expect("a robot").anatomy().feet;
+    let feet = Robot::named("hand").expect("a robot").description().feet;
     let [x, y, _] = feet[0];
     check("hand", &format!("PTP F1 {x} {y} 5000"), &[]);
     let far = said_far();
@@ -109,7 +109,7 @@ fn written([x, y, z]: [f64; 3]) -> String {
 /// Pairs of places that a foot of TITAN VIII reaches, on both sides of its hip.
 fn pairs() -> impl Iterator<Item = (String, String)> {
     let robot = Robot::named("titan8").expect("a robot");
-    let leg = robot.anatomy().legs.remove(0);
+    let leg = robot.description().legs.remove(0);
     let ranges: Vec<_> = leg.joints.iter().map(|joint| joint.limits).collect();
     let mut random = Random::new(1);
     let mut place = move || {

@@ -32,7 +32,7 @@ impl Joints for Servos {
 fn run(edition: &str, statements: &str, events: &str) -> Result<Run, Box<dyn Error>> {
     let robot = Robot::named("titan8")?;
     let program = load("p.prg", &format!("{edition}\nt\n{statements}\n"), &robot)?;
-    let legs = robot.anatomy().legs;
+    let legs = robot.description().legs;
     let initial = legs.iter().flat_map(|leg| leg.initial.clone()).collect();
     let run = Run::real(program, &robot, Servos(initial))?;
     Ok(run.events(events)?)

@@ -61,7 +61,7 @@ fn a_number_of_a_description_varies() {
 /// An imported robot is that of the description that `tip robot import` writes, and its numbers vary under the keys of that.
 #[test]
 fn a_robot_may_be_a_urdf_file() {
-    let robot = Robot::description(HEXAPOD).expect("a robot");
+    let robot = Robot::from_description(HEXAPOD).expect("a robot");
     let exported = urdf::export(&robot);
     let toml = import::import("robot.urdf", &exported)
         .expect("it is a robot")

@@ -235,7 +235,7 @@ fn falls_slips_and_contacts_are_noticed() {
 
 #[test]
 fn a_trace_gives_the_recording_of_its_run() {
-    let hexapod = Robot::description(&example("six-legs/hexapod.toml")).expect("a robot");
+    let hexapod = Robot::from_description(&example("six-legs/hexapod.toml")).expect("a robot");
     let slower = "3.1\nSlower\nSET_SAMPLING_TIME 7\nPTP_ANGLE J11 9\nSLEEP 300\nLAMP_ON 1\nEND\n";
     for (text, robot, events) in [
         (example("walk/motions/walk.prg"), titan(), "900:halt"),

@@ -19,14 +19,14 @@ impl Mirror {
     ///
     /// # Errors
     /// The first leg that has none, from 0.
-    pub(super) fn of(anatomy: &RobotDescription) -> Result<Self, usize> {
+    pub(super) fn of(description: &RobotDescription) -> Result<Self, usize> {
         let mut sources = Vec::new();
-        for (number, leg) in anatomy.legs.iter().enumerate() {
-            let others = anatomy.legs.iter().enumerate();
+        for (number, leg) in description.legs.iter().enumerate() {
+            let others = description.legs.iter().enumerate();
             let mut images =
                 others.filter_map(|(other, source)| Some((other, signs(source, leg)?)));
             let (other, signs) = images.next().ok_or(number)?;
-            let first = other * anatomy.joints;
+            let first = other * description.joints;
             sources.extend((first..).zip(signs));
         }
         Ok(Mirror { sources })
@@ -82,8 +82,8 @@ mod tests {
     #[test]
     fn feet_of_the_image_are_images_of_feet() {
         for name in ["phantomx", "spotmicro", "a1", "titan8"] {
-            let anatomy = Robot::named(name).expect("a robot").anatomy();
-            let mirror = Mirror::of(&anatomy).expect("mirrored legs");
+            let description = Robot::named(name).expect("a robot").description();
+            let mirror = Mirror::of(&description).expect("mirrored legs");
             let mut random = Random::new(7);
             let pose: Vec<f64> = mirror
                 .sources
@@ -92,12 +92,12 @@ mod tests {
                 .collect();
             let image = mirror.image(&pose);
             let foot = |angles: &[f64], leg: usize| {
-                let first = leg * anatomy.joints;
-                anatomy.legs[leg].foot(&angles[first..first + anatomy.joints])
+                let first = leg * description.joints;
+                description.legs[leg].foot(&angles[first..first + description.joints])
             };
             let mut seen = vec![];
-            for leg in 0..anatomy.legs.len() {
-                let source = mirror.sources[leg * anatomy.joints].0 / anatomy.joints;
+            for leg in 0..description.legs.len() {
+                let source = mirror.sources[leg * description.joints].0 / description.joints;
                 let wanted = reflected(foot(&pose, source));
                 assert!(
                     is_near(foot(&image, leg), wanted, 2.0 * NEAR),
@@ -107,7 +107,7 @@ mod tests {
                 seen.push(source);
             }
             seen.sort_unstable();
-            let all: Vec<usize> = (0..anatomy.legs.len()).collect();
+            let all: Vec<usize> = (0..description.legs.len()).collect();
             assert_eq!(seen, all, "{name}: each leg is one image");
             assert_eq!(mirror.image(&image), pose, "{name}: twice is nothing");
         }
@@ -120,8 +120,10 @@ mod tests {
                 "name = \"two\"\njoint = [{{ axis = \"z\", link = [50, 0, 0], limits = [-90, 90] }}]\n\
                  leg = [{{ base = [-80, 0, 0], mirror = \"x\" }}, {{ base = [{other}, 0] }}]\n"
             );
-            let anatomy = Robot::description(&text).expect("a description").anatomy();
-            Mirror::of(&anatomy)
+            let description = Robot::from_description(&text)
+                .expect("a description")
+                .description();
+            Mirror::of(&description)
         };
         assert!(two("80, 0").is_ok());
         assert_eq!(two("80, 10"), Err(0));

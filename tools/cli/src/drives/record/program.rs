@@ -241,9 +241,9 @@ leg = [{ base = [80, 0, 0] }, { base = [-80, 0, 0] }]
             speeds: vec![180.0, 90.0, 180.0, 180.0],
             standards: Standards {
                 omega_dot_max: 360.0,
-                ..Robot::description(ROBOT)
+                ..Robot::from_description(ROBOT)
                     .expect("a description")
-                    .anatomy()
+                    .description()
                     .standards
             },
         }
@@ -311,7 +311,7 @@ leg = [{ base = [80, 0, 0] }, { base = [-80, 0, 0] }]
             ]
         );
         assert!(text.contains("POSE4_F2.J1 = 90 ; "), "within its limits");
-        let robot = Robot::description(ROBOT).expect("a description");
+        let robot = Robot::from_description(ROBOT).expect("a description");
         assert!(load("taught.prg", &text, &robot).is_ok());
     }
 
@@ -381,7 +381,7 @@ END
             .collect();
         let Motion { text, points, .. } = limits().motion(&samples, 1.0);
         assert!((10..40).contains(&points), "{points}");
-        let robot = Robot::description(ROBOT).expect("a description");
+        let robot = Robot::from_description(ROBOT).expect("a description");
         let program = load("taught.prg", &text, &robot).expect("a program");
         let mut run = Run::new(program, robot).expect("its robot");
         let mut played = vec![];

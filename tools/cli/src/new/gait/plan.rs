@@ -89,14 +89,14 @@ impl Plan {
     /// # Errors
     /// The reason why the robot cannot walk so.
     pub(super) fn derive(
-        anatomy: &RobotDescription,
+        description: &RobotDescription,
         kind: Kind,
         servos: f64,
     ) -> Result<Self, Making> {
-        let legs = anatomy.legs.len();
-        let groups = groups(anatomy, kind)?;
-        let cycle = anatomy.standards.period;
-        let stance = Stance::of(anatomy, legs)?;
+        let legs = description.legs.len();
+        let groups = groups(description, kind)?;
+        let cycle = description.standards.period;
+        let stance = Stance::of(description, legs)?;
         let height = -stance.homes[0][2];
         let limit = match kind {
             Kind::Trot => (TROT_SPEED_SHARE * servos).min(TROT_SPEED),
@@ -104,16 +104,16 @@ impl Plan {
             _ => SPEED_SHARE * servos,
         };
         let sway = match kind {
-            Kind::Crawl => stance.sway(anatomy)?,
+            Kind::Crawl => stance.sway(description)?,
             _ => 0.0,
         };
         if kind != Kind::Trot {
-            stance.check_balance(anatomy, &groups, sway)?;
+            stance.check_balance(description, &groups, sway)?;
         }
         let share = sway / (legs as f64 - 1.0);
         let candidates = candidates(kind, cycle, height, Crawl::full(&stance.homes, share));
         let way = Way {
-            anatomy,
+            description,
             stance: &stance,
             groups: &groups,
             share,
@@ -180,7 +180,7 @@ impl Plan {
         let round_to = |value: f64, step: f64| (value / step).floor() * step;
         Ok(Plan {
             kind,
-            feet: anatomy.feet.clone(),
+            feet: description.feet.clone(),
             swing,
             pause,
             lift,
@@ -193,7 +193,7 @@ impl Plan {
             ],
             lean: stance.lean,
             raise: stance.raise,
-            lower: stance.lower(anatomy),
+            lower: stance.lower(description),
             top: [
                 round_to(top[0], 5.0).max(1.0),
                 round_to(top[1], 5.0).max(5.0),
@@ -235,12 +235,12 @@ fn tenth(value: f64) -> f64 {
 }
 
 /// Returns the legs that swing together, in order.
-fn groups(anatomy: &RobotDescription, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
-    let legs = anatomy.legs.len();
+fn groups(description: &RobotDescription, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
+    let legs = description.legs.len();
     if legs < 4 {
         return Err(Making::TooFewLegs);
     }
-    let feet = &anatomy.feet;
+    let feet = &description.feet;
     match kind {
         Kind::Trot if legs != 4 => Err(Making::TrotNeedsFour),
         Kind::Tripod if legs < 6 => Err(Making::TripodNeedsSix),
@@ -323,20 +323,20 @@ struct Stance {
 }
 
 impl Stance {
-    fn of(anatomy: &RobotDescription, legs: usize) -> Result<Self, Making> {
-        let feet = &anatomy.feet;
+    fn of(description: &RobotDescription, legs: usize) -> Result<Self, Making> {
+        let feet = &description.feet;
         let floor = feet
             .iter()
             .map(|foot| foot[2])
             .fold(f64::INFINITY, f64::min);
-        let leg = anatomy.legs.iter().map(|limb| {
+        let leg = description.legs.iter().map(|limb| {
             limb.joints
                 .iter()
                 .map(|joint| size(joint.link))
                 .sum::<f64>()
         });
         let leg = leg.fold(0.0, f64::max);
-        let belly = anatomy.body.map_or(0.0, |body| body.z.min - floor);
+        let belly = description.body.map_or(0.0, |body| body.z.min - floor);
         // A robot that lies on its belly stands up first.
         let wanted = (0.1 * leg - belly).max(0.0);
         let raise = (wanted / 10.0).ceil() * 10.0;
@@ -354,16 +354,16 @@ impl Stance {
                 .iter()
                 .map(|[x, y, z]| [*x, y - stance.lean, z - raise]);
             stance.homes = homes.collect();
-            let posture = stance.posture(anatomy).ok_or(Making::OutOfReach)?;
-            stance.centre_of_mass = centre_of_mass(anatomy, &posture);
+            let posture = stance.posture(description).ok_or(Making::OutOfReach)?;
+            stance.centre_of_mass = centre_of_mass(description, &posture);
             stance.lean = (mean - stance.centre_of_mass[1]).round() + 0.0;
         }
         Ok(stance)
     }
 
     /// Returns the joint angles of all legs.
-    fn posture(&self, anatomy: &RobotDescription) -> Option<Vec<Vec<f64>>> {
-        let legs = anatomy.legs.iter().zip(&self.homes);
+    fn posture(&self, description: &RobotDescription) -> Option<Vec<Vec<f64>>> {
+        let legs = description.legs.iter().zip(&self.homes);
         legs.map(|(limb, home)| angles(limb, *home, &limb.initial))
             .collect()
     }
@@ -376,13 +376,13 @@ impl Stance {
     }
 
     /// Returns how far the body must lean to the middle of the other feet before one lifts.
-    fn sway(&self, anatomy: &RobotDescription) -> Result<f64, Making> {
+    fn sway(&self, description: &RobotDescription) -> Result<f64, Making> {
         // A slope takes the centre of mass aside.
         let slope = -self.homes[0][2] * SLOPE.to_radians().tan();
         let least = LEAST_MARGIN + SLOPE_SHARE * slope;
         let enough = |share: &f64| {
             (0..self.homes.len()).all(|leg| {
-                let margin = self.margin(anatomy, &[leg], *share);
+                let margin = self.margin(description, &[leg], *share);
                 margin.is_some_and(|margin| margin >= least)
             })
         };
@@ -391,7 +391,7 @@ impl Stance {
     }
 
     /// Returns the margin with a group in the air. The legs move with the feet when the body leans, and hold the centre of mass back.
-    fn margin(&self, anatomy: &RobotDescription, group: &[usize], sway: f64) -> Option<f64> {
+    fn margin(&self, description: &RobotDescription, group: &[usize], sway: f64) -> Option<f64> {
         let middle = middle(&self.homes);
         let share = sway / (self.homes.len() as f64 - 1.0);
         let [x, y] = [0, 1].map(|axis| {
@@ -405,20 +405,20 @@ impl Stance {
             homes: self.homes.iter().map(moved).collect(),
             ..*self
         };
-        let posture = leaning.posture(anatomy)?;
+        let posture = leaning.posture(description)?;
         let standing = leaning.standing(group);
-        Some(margin(&standing, centre_of_mass(anatomy, &posture)))
+        Some(margin(&standing, centre_of_mass(description, &posture)))
     }
 
     /// Checks that the robot can stand while each group is in the air.
     fn check_balance(
         &self,
-        anatomy: &RobotDescription,
+        description: &RobotDescription,
         groups: &[Vec<usize>],
         sway: f64,
     ) -> Result<(), Making> {
         for group in groups {
-            let margin = self.margin(anatomy, group, sway);
+            let margin = self.margin(description, group, sway);
             let margin = margin.ok_or(Making::OutOfReach)?;
             if margin < LEAST_MARGIN {
                 let names: Vec<String> = group.iter().map(|leg| foot_name(*leg)).collect();
@@ -454,9 +454,9 @@ impl Stance {
     }
 
     /// Returns the distance that the robot can sink, mm: to its belly, unless a joint ends before.
-    fn lower(&self, anatomy: &RobotDescription) -> f64 {
+    fn lower(&self, description: &RobotDescription) -> f64 {
         let reaches = |way: f64| {
-            let mut legs = anatomy.legs.iter().zip(&self.homes);
+            let mut legs = description.legs.iter().zip(&self.homes);
             legs.all(|(limb, [x, y, z])| angles(limb, [*x, *y, z + way], &limb.initial).is_some())
         };
         let way = largest(self.belly.max(0.0) * 1.001, reaches);
@@ -467,7 +467,7 @@ impl Stance {
 /// The limits of the speed of a gait.
 #[derive(Clone, Copy)]
 struct Way<'a> {
-    anatomy: &'a RobotDescription,
+    description: &'a RobotDescription,
     stance: &'a Stance,
     groups: &'a [Vec<usize>],
     /// Part of a foot's way from the middle that the body of a crawl leans away from it.
@@ -527,7 +527,7 @@ impl Way<'_> {
                 }),
                 _ => self.holds(twist, far) && self.reaches(twist, far),
             };
-            fits && fastest_joint(self.anatomy, &self.stance.homes, twist, stride)
+            fits && fastest_joint(self.description, &self.stance.homes, twist, stride)
                 .is_some_and(|rate| rate <= self.limit)
         })
     }
@@ -585,7 +585,7 @@ impl Way<'_> {
 
     /// Returns true if all feet reach where a velocity takes them in a time (s) after and before their places, on the floor and lifted.
     fn reaches(&self, twist: Twist, seconds: f64) -> bool {
-        let mut legs = self.anatomy.legs.iter().zip(&self.stance.homes);
+        let mut legs = self.description.legs.iter().zip(&self.stance.homes);
         legs.all(|(limb, home)| {
             [-seconds, seconds].into_iter().all(|seconds| {
                 let [x, y, z] = left_behind(*home, twist, seconds);

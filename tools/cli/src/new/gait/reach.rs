@@ -100,7 +100,7 @@ pub(super) struct Stride {
 
 /// Returns the greatest speed of a joint on a stride, deg/s; `None` if a foot does not reach.
 pub(super) fn fastest_joint(
-    anatomy: &RobotDescription,
+    description: &RobotDescription,
     homes: &[Point],
     twist: Twist,
     stride: Stride,
@@ -109,7 +109,7 @@ pub(super) fn fastest_joint(
     let (standing, swinging) = (cycles(stride.stance), cycles(stride.swing));
     let half = stride.stance / 2.0;
     let mut fastest = 0.0_f64;
-    for (limb, home) in anatomy.legs.iter().zip(homes) {
+    for (limb, home) in description.legs.iter().zip(homes) {
         let mut before: Option<Vec<f64>> = None;
         let mut near = limb.initial.clone();
         for n in 0..=standing + swinging {
@@ -175,15 +175,15 @@ pub(super) fn margin(feet: &[[f64; 2]], point: [f64; 2]) -> f64 {
 }
 
 /// Returns x and y of the centre of mass with legs at these angles, in the robot frame, mm.
-pub(super) fn centre_of_mass(anatomy: &RobotDescription, angles: &[Vec<f64>]) -> [f64; 2] {
+pub(super) fn centre_of_mass(description: &RobotDescription, angles: &[Vec<f64>]) -> [f64; 2] {
     let mut all = Vec::new();
-    if let Some(body) = &anatomy.body {
-        let centre = body.spread.map_or([0.0; 3], |spread| spread.centre);
+    if let Some(body) = &description.body {
+        let centre = body.inertial.map_or([0.0; 3], |inertial| inertial.centre);
         all.push((body.mass, centre));
     }
-    for (limb, angles) in anatomy.legs.iter().zip(angles) {
+    for (limb, angles) in description.legs.iter().zip(angles) {
         for (frame, joint) in limb.frames(angles).iter().zip(&limb.joints) {
-            let centre = joint.spread.map(|spread| spread.centre);
+            let centre = joint.inertial.map(|inertial| inertial.centre);
             let centre = centre.unwrap_or(joint.link.map(|part| part / 2.0));
             all.push((joint.mass, frame.point(centre)));
         }

@@ -62,8 +62,9 @@ fn ends(range: Range) -> [f64; 2] {
 fn returns(robot: &Robot) {
     let name = robot.name();
     let (import, _) = imported(&export(robot));
-    let again = Robot::description(&import.toml).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let (ours, theirs) = (robot.anatomy(), again.anatomy());
+    let again =
+        Robot::from_description(&import.toml).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let (ours, theirs) = (robot.description(), again.description());
     same_legs(&ours.legs, &theirs.legs, name);
     assert_eq!(ours.inverse, theirs.inverse, "{name}");
     near(
@@ -104,7 +105,7 @@ fn described_robots_return() {
         include_str!("../../../../../tests/language/cases/robots/one.toml"),
         include_str!("../../../../../tests/language/cases/robots/radial.toml"),
     ] {
-        returns(&Robot::description(toml).expect("it is a robot"));
+        returns(&Robot::from_description(toml).expect("it is a robot"));
     }
 }
 
@@ -112,7 +113,7 @@ fn described_robots_return() {
 fn imported_robots_return() {
     for text in [text_of(ARM), text_of(&quadruped())] {
         let (import, _) = imported(&text);
-        returns(&Robot::description(&import.toml).expect("it is a robot"));
+        returns(&Robot::from_description(&import.toml).expect("it is a robot"));
     }
 }
 
@@ -125,7 +126,7 @@ fn a_sled_with_a_slider_in_every_direction_returns() {
             y: Range::new(-150.0, 140.0),
             z: Range::new(-180.0, 40.0),
             mass: 4.0,
-            spread: None,
+            inertial: None,
         }),
         slider: Some(tip_runtime::model::Slider {
             initial: [1.0, 2.0, 3.0],
@@ -169,7 +170,7 @@ fn a_robot_stands_or_hangs_as_its_model_says() {
 #[test]
 fn masses_lie_in_the_middle_of_the_links() {
     let hexapod = include_str!("../../../../../tipc/tests/robots/hexapod.toml");
-    let text = export(&Robot::description(hexapod).expect("it is a robot"));
+    let text = export(&Robot::from_description(hexapod).expect("it is a robot"));
     let shank = text
         .split("<link name=\"link23\">")
         .nth(1)
@@ -197,8 +198,8 @@ fn masses_lie_in_the_middle_of_the_links() {
 fn prismatic_joints_to_a_link_floor_are_a_slider() {
     let gantry = include_str!("../../../../../tests/external/urdf/robots/gantry.urdf");
     let (import, _) = imported(gantry);
-    let robot = Robot::description(&import.toml).expect("it is a robot");
-    let slider = robot.anatomy().slider.expect("it has one");
+    let robot = Robot::from_description(&import.toml).expect("it is a robot");
+    let slider = robot.description().slider.expect("it has one");
     near(&slider.initial, &[0.0, 300.0, -140.0], "initial");
     let travel = [[-250.0, 150.0], [300.0, 300.0], [-240.0, -140.0]];
     near(
@@ -209,7 +210,7 @@ fn prismatic_joints_to_a_link_floor_are_a_slider() {
     let report: Vec<String> = import.report.iter().map(ToString::to_string).collect();
     assert!(report.join("\n").contains("FLOOR"), "{report:?}");
     // Where it is bolted down does not turn the robot frame.
-    assert_eq!(robot.anatomy().body, None);
+    assert_eq!(robot.description().body, None);
     let (other, _) = imported(&gantry.replace("0 0 0.9\" rpy=\"0 0 0.5", "0 0 0"));
     assert_eq!(import.toml, other.toml);
     returns(&robot);

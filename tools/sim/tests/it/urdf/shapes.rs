@@ -254,7 +254,7 @@ shape = [{ block = [100, 80, 40], turned = [0, 0, 45] }, { cylinder = [20, 60], 
 
 #[test]
 fn described_shapes_return_and_the_body_keeps_its_extents() {
-    let robot = Robot::description(DESCRIBED).expect("it is a robot");
+    let robot = Robot::from_description(DESCRIBED).expect("it is a robot");
     let (import, description) = imported(&export(&robot));
     let (ours, theirs) = (robot.shapes(), description.shapes());
     same(&theirs.body, &ours.body);
@@ -262,10 +262,13 @@ fn described_shapes_return_and_the_body_keeps_its_extents() {
         assert!(!ours.of(leg, joint).is_empty());
         same(theirs.of(leg, joint), ours.of(leg, joint));
     }
-    let body = Robot::described(&description).anatomy().body;
+    let body = Robot::described(&description).description().body;
     assert_eq!(
         body.map(|body| [body.x, body.y, body.z]),
-        robot.anatomy().body.map(|body| [body.x, body.y, body.z])
+        robot
+            .description()
+            .body
+            .map(|body| [body.x, body.y, body.z])
     );
     // And once more, to the letter.
     let again = imported(&export(&Robot::described(&description))).0;
@@ -274,7 +277,7 @@ fn described_shapes_return_and_the_body_keeps_its_extents() {
 
 #[test]
 fn links_with_shapes_are_drawn_by_nothing_else() {
-    let robot = Robot::description(DESCRIBED).expect("it is a robot");
+    let robot = Robot::from_description(DESCRIBED).expect("it is a robot");
     let text = export(&robot);
     let link = text.split("<link name=\"link12\">").nth(1);
     let link = link.and_then(|rest| rest.split("</link>").next());
@@ -295,7 +298,7 @@ fn links_with_shapes_are_drawn_by_nothing_else() {
 
 #[test]
 fn in_mujoco_shapes_are_drawn_and_feet_touch_as_before() {
-    let shaped = mjcf::export(&Robot::description(DESCRIBED).expect("it is a robot"));
+    let shaped = mjcf::export(&Robot::from_description(DESCRIBED).expect("it is a robot"));
     // Without its shapes.
     let plain: Vec<&str> = DESCRIBED
         .lines()
@@ -306,7 +309,7 @@ fn in_mujoco_shapes_are_drawn_and_feet_touch_as_before() {
         .split(", shape = ")
         .map(|part| part.split_once("}] ").map_or(part, |(_, rest)| rest));
     let plain = plain.collect::<String>();
-    let plain = mjcf::export(&Robot::description(&plain).expect("it is a robot"));
+    let plain = mjcf::export(&Robot::from_description(&plain).expect("it is a robot"));
     let others = |text: &str| -> Vec<String> {
         let lines = text.lines().filter(|line| {
             !["drawn", "tip_shape"]

@@ -19,8 +19,8 @@ fn standing(robot: &Robot, height: f64) -> Result<RobotDescription, String> {
             .iter()
             .any(|it| it.to_string().contains(&said))
     );
-    let robot = Robot::description(&import.toml);
-    Ok(robot.map_err(|faults| faults.to_string())?.anatomy())
+    let robot = Robot::from_description(&import.toml);
+    Ok(robot.map_err(|faults| faults.to_string())?.description())
 }
 
 #[track_caller]
@@ -78,7 +78,7 @@ z = [-30, 30]
 
 #[test]
 fn all_knees_bend_backwards_where_they_may_bend_either_way() {
-    let robot = Robot::description(EITHER_WAY).expect("a robot");
+    let robot = Robot::from_description(EITHER_WAY).expect("a robot");
     let robot = standing(&robot, 180.0).unwrap_or_else(|error| panic!("{error}"));
     // The law of cosines; about x a positive angle swings the leg ahead.
     let cosine = (100.0_f64 * 100.0 + 180.0 * 180.0 - 120.0 * 120.0) / (2.0 * 100.0 * 180.0);
@@ -130,7 +130,7 @@ fn a_height_out_of_reach_is_refused_with_one_that_is_not() {
         .replace("link = [0, 0, -", "limits = [-9, 9], link = [0, 0, ")
         .replace("link = [50", "limits = [-9, 9], link = [50")
         .replace("link = [-50", "limits = [-9, 9], link = [-50");
-    let robot = Robot::description(&turned).expect("a robot");
+    let robot = Robot::from_description(&turned).expect("a robot");
     let error = standing(&robot, 100.0).expect_err("its feet are above");
     assert!(error.contains("leave `--stand` out"), "{error}");
 }

@@ -36,7 +36,7 @@ fn leg(text: &str) -> Leg<1> {
 }
 
 fn spread_of(text: &str) -> InertialProperties {
-    leg(text).joints[0].spread.expect("it is known")
+    leg(text).joints[0].inertial.expect("it is known")
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn inertias_that_only_fill_places_are_doubted_and_left_out() {
     for sound in [[0.31, 0.31, 0.31], [0.1, 0.1, 0.2]] {
         let said = reported(&imported(&robot(sound)).0);
         assert!(!said.contains("rigid body"), "{said}");
-        assert!(leg(&robot(sound)).joints[0].spread.is_some());
+        assert!(leg(&robot(sound)).joints[0].inertial.is_some());
     }
     for doubtful in [[0.33, 0.33, 0.33], [0.1, 0.1, 0.201]] {
         let said = reported(&imported(&robot(doubtful)).0);
@@ -96,11 +96,11 @@ fn inertias_that_only_fill_places_are_doubted_and_left_out() {
         let joint = leg(&robot(doubtful)).joints[0];
         assert_eq!(joint.mass, 2.0);
         // The centre is kept; the tensor is that of a uniform rod along y.
-        let spread = joint.spread.expect("its centre is known");
-        assert_eq!(spread.centre, [0.0; 3]);
+        let inertial = joint.inertial.expect("its centre is known");
+        assert_eq!(inertial.centre, [0.0; 3]);
         assert!(
-            (spread.inertia[0] - 2.0 * 0.09 / 12.0).abs() < 1e-3,
-            "{spread:?}"
+            (inertial.inertia[0] - 2.0 * 0.09 / 12.0).abs() < 1e-3,
+            "{inertial:?}"
         );
     }
 }
@@ -147,7 +147,7 @@ fn the_body_has_what_stays_with_the_base() {
     let body = model.body.expect("its body is a box");
     assert_eq!(body.mass, 4.0);
     near(
-        body.spread.expect("it is known"),
+        body.inertial.expect("it is known"),
         [0.0, 10.0, 0.0],
         [0.002, 0.001, 0.0025, -0.0001, -0.0003, -0.0002],
     );

@@ -13,7 +13,7 @@ use tip_runtime::random::Random;
 type Points = [Point; 4];
 
 /// Returns the inertia of a link or body that has a quarter of its mass (kg) at each point.
-const fn spread(points: Points, mass: f64) -> InertialProperties {
+const fn inertial(points: Points, mass: f64) -> InertialProperties {
     let mut centre = [0.0; 3];
     let mut at = 0;
     while at < 4 {
@@ -64,7 +64,7 @@ const ODD: Model<3, 3> = Model {
         y: Range::new(-90.0, 90.0),
         z: Range::new(-30.0, 60.0),
         mass: 2.0,
-        spread: Some(spread(TRUNK, 2.0)),
+        inertial: Some(inertial(TRUNK, 2.0)),
     }),
     ..Model::generic(
         "odd",
@@ -80,9 +80,9 @@ const fn leg(x: f64, y: f64) -> Leg<3> {
     ];
     let [hip, thigh, shank] = joints;
     let joints = [
-        hip.spread(spread(LINK, 0.3)),
-        thigh.spread(spread(LINK, 0.2)),
-        shank.spread(spread(LINK, 0.15)),
+        hip.inertial(inertial(LINK, 0.3)),
+        thigh.inertial(inertial(LINK, 0.2)),
+        shank.inertial(inertial(LINK, 0.15)),
     ];
     Leg::at([x, y, 10.0], joints)
 }
@@ -185,13 +185,13 @@ fn in_the_air_it_keeps_energy_and_momentum_the_better_the_shorter_the_step() {
 fn even() -> Model<4, 3> {
     let mut model = titan8::MODEL;
     if let Some(body) = &mut model.body {
-        body.spread = Some(InertialProperties::block(
+        body.inertial = Some(InertialProperties::block(
             [body.x, body.y, body.z],
             body.mass,
         ));
     }
     for joint in model.legs.iter_mut().flat_map(|leg| &mut leg.joints) {
-        joint.spread = Some(InertialProperties::rod(joint.link, joint.mass));
+        joint.inertial = Some(InertialProperties::rod(joint.link, joint.mass));
     }
     model
 }
@@ -223,8 +223,8 @@ fn what_is_spread_evenly_moves_as_what_says_nothing() {
 fn a_body_that_is_heavier_in_front_loads_the_front_feet() {
     // 12 kg, 50 mm ahead of the middle; feet are 201 mm ahead of it and as far to its rear.
     let mut model = even();
-    if let Some(spread) = model.body.as_mut().and_then(|body| body.spread.as_mut()) {
-        spread.centre = [0.0, 50.0, 0.0];
+    if let Some(inertial) = model.body.as_mut().and_then(|body| body.inertial.as_mut()) {
+        inertial.centre = [0.0, 50.0, 0.0];
     }
     let expected = 12.0 * GRAVITY * 50.0 / 201.0;
     let more = |feet: [f64; 4]| feet[0] + feet[1] - feet[2] - feet[3];
