@@ -31,7 +31,7 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use self_collision::{Clearance, CollisionCounter, Gap, SelfCollision};
+pub use self_collision::{Clearance, Gap, SelfCollision};
 pub use walker::{
     Fall, Foot, Pose, ServoDynamics, SimulatedPlant, TrackingErrors, Travel, Unmodelled,
 };
@@ -231,8 +231,9 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
         None
     }
 
-    /// Returns the distances between the parts of the robot; `None` where they are not measured, or no pair is compared.
-    fn clearance(&self) -> Option<Clearance> {
+    /// Measures the least distance of two parts of the robot; `None` where it cannot be measured, or no pair is compared.
+    /// A cycle does not need it, so that only those who ask pay for it.
+    fn gap(&self) -> Option<Gap> {
         None
     }
 

@@ -30,7 +30,7 @@ mod terrain;
 
 pub use servo::Drives;
 
-use super::self_collision::{self, Clearance, CollisionCounter};
+use super::self_collision::{self, Gap};
 use super::sensors::{LegInputs, Overrides, SensorNoise};
 use super::{
     ContactLaw, DIVERGED, Fall, Foot, GRAVITY, Limbs, Motion, Noise, Plant, Pose, TrackingErrors,
@@ -103,7 +103,6 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
                 drives: Drives::default(),
                 unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 period: model.standards.period,
-                collisions: CollisionCounter::NONE,
                 tracking_errors: TrackingErrors::NONE,
                 total: Inertia::NONE,
                 legs: [LegBody::new(Leg::BLANK); L],
@@ -374,8 +373,9 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
         falls.first.filter(|_| self.can_be_pushed())
     }
 
-    fn clearance(&self) -> Option<Clearance> {
-        self.robot.collisions.clearance
+    fn gap(&self) -> Option<Gap> {
+        let robot: &Multibody<[LegBody<J>]> = &self.robot;
+        robot.gap()
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {
@@ -405,7 +405,7 @@ mod tests {
         // Its model, the pairs of its parts and its inputs do not change.
         let model = size_of::<[Leg<9>; 9]>();
         let inputs = size_of::<Overrides<[LegInputs<9>; 9]>>();
-        let pairs = size_of::<[Capsules<9>; 9]>() + size_of::<CollisionCounter>();
+        let pairs = size_of::<[Capsules<9>; 9]>();
         let working = size_of::<DynamicPlant<9, 9>>() - model - inputs - pairs;
         assert!(working <= 16 * 1024, "{working}");
     }

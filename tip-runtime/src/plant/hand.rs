@@ -37,7 +37,7 @@ mod grasped_object;
 mod motor;
 mod rigid_body;
 
-use super::self_collision::{Clearance, CollisionCounter, SelfCollision};
+use super::self_collision::{Gap, SelfCollision};
 use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Grasp, Limbs, Plant, is_lit};
 use crate::command::Port;
@@ -102,26 +102,19 @@ pub struct ObjectState {
 pub struct SimulatedHand<const L: usize, const J: usize> {
     contacts: ContactModel<[FingerContacts<J>; L]>,
     bodies: SelfCollision<L, J>,
-    collisions: CollisionCounter,
     overrides: Overrides<[LegInputs<J>; L]>,
     lamps: [u32; 8],
-    /// Number of cycles so far.
-    cycle: u64,
 }
 
 impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     /// Returns the hand in its initial posture over an empty, level floor.
     pub fn new(model: &Model<L, J>) -> Self {
-        let mut hand = SimulatedHand {
+        SimulatedHand {
             contacts: ContactModel::new(model),
             bodies: SelfCollision::new(model),
-            collisions: CollisionCounter::NONE,
             overrides: Overrides::new(model),
             lamps: [0; 8],
-            cycle: 0,
-        };
-        hand.collisions.begin(hand.bodies.clearance(&hand.angles()));
-        hand
+        }
     }
 
     /// Puts a floor and objects under the hand.
@@ -129,13 +122,6 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     pub fn with_scene(mut self, scene: &Scene) -> Self {
         self.contacts_mut().replace(scene);
         self
-    }
-
-    /// Counts a collision at the end of a cycle.
-    fn watch(&mut self) {
-        let gap = self.bodies.clearance(&self.angles());
-        self.collisions.update(gap, self.cycle);
-        self.cycle += 1;
     }
 
     fn contacts_mut(&mut self) -> &mut ContactModel<[FingerContacts<J>]> {
@@ -205,8 +191,8 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
         })
     }
 
-    fn clearance(&self) -> Option<Clearance> {
-        self.collisions.clearance
+    fn gap(&self) -> Option<Gap> {
+        self.bodies.clearance(&self.angles())
     }
 
     fn grasp(&self) -> Option<Grasp<L>> {
@@ -240,7 +226,6 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
         let before = self.contacts.clone();
         self.contacts_mut().simulate(joints, *slider, *period);
         if self.contacts_mut().is_sane() {
-            self.watch();
             return Ok(());
         }
         self.contacts = before;
@@ -251,7 +236,6 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
         let before = self.contacts.clone();
         self.contacts_mut().stop();
         if self.contacts_mut().is_sane() {
-            self.watch();
             return Ok(());
         }
         self.contacts = before;

@@ -58,7 +58,7 @@ impl fmt::Display for Gap {
     }
 }
 
-/// The distances between the parts of a simulated robot.
+/// The distances between the parts of a robot in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Clearance {
@@ -70,6 +70,27 @@ pub struct Clearance {
     pub cycle: u64,
     /// Number of cycles after which two parts overlapped.
     pub collisions: u32,
+}
+
+impl Clearance {
+    /// Starts with the least distance in the initial posture.
+    pub const fn new(gap: Gap) -> Self {
+        Clearance {
+            now: gap,
+            least: gap,
+            cycle: 0,
+            collisions: 0,
+        }
+    }
+
+    /// Records the least distance after a cycle.
+    pub fn update(&mut self, gap: Gap, cycle: u64) {
+        self.now = gap;
+        self.collisions += u32::from(gap.distance < 0.0);
+        if gap.distance < self.least.distance {
+            (self.least, self.cycle) = (gap, cycle);
+        }
+    }
 }
 
 /// The parts of a robot whose distances are compared. These pairs are not:
@@ -329,45 +350,6 @@ pub(super) fn nearest<'a, const J: usize>(
         }
     }
     least
-}
-
-/// Counts the collisions of a robot.
-#[derive(Clone, Copy, Debug)]
-pub struct CollisionCounter {
-    /// `None` if no pair is compared, or nothing has been measured yet.
-    pub(super) clearance: Option<Clearance>,
-}
-
-impl CollisionCounter {
-    /// A counter that has measured nothing.
-    pub const NONE: Self = CollisionCounter { clearance: None };
-
-    /// Returns the distances so far; `None` if no pair is compared, or nothing has been measured yet.
-    pub const fn clearance(&self) -> Option<Clearance> {
-        self.clearance
-    }
-
-    /// Starts with the least distance in the initial posture.
-    pub fn begin(&mut self, gap: Option<Gap>) {
-        self.clearance = gap.map(|gap| Clearance {
-            now: gap,
-            least: gap,
-            cycle: 0,
-            collisions: 0,
-        });
-    }
-
-    /// Records the least distance at the end of a cycle.
-    pub fn update(&mut self, gap: Option<Gap>, cycle: u64) {
-        let (Some(clearance), Some(gap)) = (&mut self.clearance, gap) else {
-            return;
-        };
-        clearance.now = gap;
-        clearance.collisions += u32::from(gap.distance < 0.0);
-        if gap.distance < clearance.least.distance {
-            (clearance.least, clearance.cycle) = (gap, cycle);
-        }
-    }
 }
 
 /// Returns the distance of two lines, mm.

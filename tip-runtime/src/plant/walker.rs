@@ -32,7 +32,7 @@ pub use fall::Fall;
 pub use pose::{Pose, Travel};
 pub use servo::ServoDynamics;
 
-use super::self_collision::{self, Clearance, CollisionCounter};
+use super::self_collision::{self, Gap};
 use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Limbs, Motion, Plant, are_sane, fill_joints, is_lit};
 use crate::command::Port;
@@ -83,7 +83,6 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
             legs: Legs {
                 dynamics: ServoDynamics::default(),
                 body: self_collision::body(model.body.as_ref()),
-                collisions: CollisionCounter::NONE,
                 crosses: false,
                 each: [LegPlant::new(Leg::BLANK); L],
             },
@@ -237,7 +236,6 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     fn settle(&mut self) {
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
         legs.settle(&mut self.ground, 0.0);
-        legs.begin();
         self.ground.begin();
     }
 }
@@ -257,7 +255,6 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
         self.lamps = outputs.lamps;
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
         legs.advance(&outputs.joints, outputs.period, &mut self.ground);
-        legs.watch(self.ground.cycle);
         self.ground.cycle += 1;
         match are_sane(self.body().position.into_iter()) {
             true => Ok(()),
@@ -267,8 +264,6 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
 
     fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         // Servos hold where they are; without inertia nothing is left that could move.
-        let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
-        legs.watch(self.ground.cycle);
         self.ground.cycle += 1;
         Ok(())
     }
@@ -304,8 +299,9 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
         self.first_fall()
     }
 
-    fn clearance(&self) -> Option<Clearance> {
-        self.legs.collisions.clearance
+    fn gap(&self) -> Option<Gap> {
+        let legs: &Legs<[LegPlant<J>]> = &self.legs;
+        legs.gap()
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use std::fmt;
 use tip_runtime::model::Point;
-use tip_runtime::plant::{self, Fingertip, Gap, Motion, ObjectState};
+use tip_runtime::plant::{self, Clearance, Fingertip, Gap, Motion, ObjectState};
 
 /// The real state of legs or fingers after a cycle, without the errors of sensors.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,6 +124,8 @@ pub struct Approach {
 pub(crate) struct Incidents {
     /// The first fall.
     pub(crate) fall: Option<Fall>,
+    /// The distances of parts.
+    pub(crate) clearance: Option<Clearance>,
     /// The smallest distance of two parts.
     pub(crate) nearest: Option<Approach>,
     /// The first collision of two parts.

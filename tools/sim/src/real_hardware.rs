@@ -18,7 +18,7 @@ use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
 use tip_runtime::machine::Mismatch;
-use tip_runtime::plant::{Clearance, CollisionCounter};
+use tip_runtime::plant::Gap;
 use tip_runtime::program::Program;
 use tipc::Loaded;
 use tipc::code::Code;
@@ -68,8 +68,6 @@ impl Run {
             angles: Vec::new(),
             inputs: Inputs::all(f64::NAN),
             distances: robot.distances(),
-            collisions: CollisionCounter::NONE,
-            readings: 0,
         });
         let machine = robot.start_on(hardware, ProgramRunner::new(program));
         Ok(Run::on(machine?))
@@ -143,9 +141,6 @@ struct RealHardware {
     /// Values that events gave to inputs, V; NaN for all others.
     inputs: Inputs,
     distances: Distances,
-    collisions: CollisionCounter,
-    /// Number of cycles in which the joints were measured.
-    readings: u64,
 }
 
 impl fmt::Debug for RealHardware {
@@ -178,12 +173,6 @@ impl DynHardware for RealHardware {
             .read(into.angles, into.ages)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
-        let gap = (self.distances)(into.angles);
-        match self.readings {
-            0 => self.collisions.begin(gap),
-            cycle => self.collisions.update(gap, cycle - 1),
-        }
-        self.readings += 1;
         *into.inputs = self.inputs;
         Ok(())
     }
@@ -205,8 +194,8 @@ impl DynHardware for RealHardware {
         self.has_input(port) && self.inputs.set(port, volts)
     }
 
-    fn clearance(&self) -> Option<Clearance> {
-        self.collisions.clearance()
+    fn gap(&self) -> Option<Gap> {
+        (self.distances)(&self.angles)
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -104,12 +104,16 @@ impl Run {
     }
 
     pub(crate) fn on(machine: Box<dyn DynMachine>) -> Self {
+        let clearance = machine.hardware().gap().map(Clearance::new);
         Run {
             machine,
             events: Events::NONE,
             happened: 0,
             ending: None,
-            incidents: Incidents::default(),
+            incidents: Incidents {
+                clearance,
+                ..Incidents::default()
+            },
             trace: None,
         }
     }
@@ -458,7 +462,7 @@ impl Run {
 
     /// Returns the distances between the links and the body; none if the simulation does not measure them.
     pub fn clearance(&self) -> Option<Clearance> {
-        self.machine.hardware().clearance()
+        self.incidents.clearance
     }
 
     /// Returns the least distance of two parts after a cycle so far, and its place; none before the first cycle, or if
@@ -490,8 +494,7 @@ impl Run {
     /// Records the first fall, the first collision and the smallest distance of two parts, if they happened in this
     /// cycle.
     fn note_incidents(&mut self, cycle: u64, time: f64, step: u32) {
-        if let Some(clearance) = self.clearance() {
-            let gap = clearance.now;
+        if let Some(gap) = self.machine.hardware().gap() {
             let approach = Approach {
                 gap,
                 cycle,
@@ -499,8 +502,13 @@ impl Run {
                 step,
             };
             let Incidents {
-                nearest, collision, ..
+                clearance,
+                nearest,
+                collision,
+                ..
             } = &mut self.incidents;
+            let clearance = clearance.get_or_insert(Clearance::new(gap));
+            clearance.update(gap, cycle);
             if nearest.is_none_or(|nearest| gap.distance < nearest.gap.distance) {
                 *nearest = Some(approach);
             }

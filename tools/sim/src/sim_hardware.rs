@@ -8,7 +8,7 @@ use tip_runtime::command::{MAX, Port};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outputs, Sensors};
 use tip_runtime::model::Point;
-use tip_runtime::plant::{Clearance, Fall, Motion, Noise, Plant, Pose, Travel};
+use tip_runtime::plant::{Fall, Gap, Motion, Noise, Plant, Pose, Travel};
 
 /// Reading of a sole's sensor on the ground, V.
 const PRESSED: f64 = 2.0;
@@ -102,7 +102,7 @@ pub(crate) trait DynHardware: Send {
         None
     }
 
-    fn clearance(&self) -> Option<Clearance> {
+    fn gap(&self) -> Option<Gap> {
         None
     }
 
@@ -213,8 +213,8 @@ where
         self.plant.first_fall()
     }
 
-    fn clearance(&self) -> Option<Clearance> {
-        self.plant.clearance()
+    fn gap(&self) -> Option<Gap> {
+        self.plant.gap()
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -12,7 +12,7 @@ use crate::command::{MAX, Port};
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::kinematics::frames;
 use crate::model::Leg;
-use crate::plant::self_collision::{self, CollisionCounter, Gap, nearest, nowhere};
+use crate::plant::self_collision::{self, Gap, nearest, nowhere};
 use crate::plant::walker::events::hurries;
 use crate::plant::{ContactLaw, GRAVITY, TrackingErrors, are_sane};
 
@@ -36,7 +36,6 @@ pub(super) struct Multibody<S: ?Sized> {
     pub(super) unit: f64,
     /// The sampling time: ms.
     pub(super) period: f64,
-    pub(super) collisions: CollisionCounter,
     /// The inertia of the whole robot at the last step.
     pub(super) total: Inertia,
     pub(super) detector: FallDetector,
@@ -79,7 +78,6 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
         self.base.frame.position.z += rise;
         self.legs.iter_mut().for_each(LegBody::clear_contacts);
         self.refresh();
-        self.collisions.begin(self.gap());
         self.detector = FallDetector::new(&self.base.frame, &self.terrain);
         self.update(0.0);
         self.detector.begin();
@@ -151,12 +149,13 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
         }
         self.base.push.count_cycle();
         self.update(self.period);
-        self.collisions.update(self.gap(), self.detector.cycle);
         self.detector.cycle += 1;
     }
 
     /// Returns the least distance of two parts of the robot.
-    fn gap(&self) -> Option<Gap> {
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn gap(&self) -> Option<Gap> {
         let inverse = self.base.frame.rotation.inverse();
         let mut lines = nowhere();
         for (lines, leg) in lines.iter_mut().zip(&self.legs) {

@@ -13,7 +13,7 @@ use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
 use crate::plant::GRAVITY;
 use crate::plant::cuboid::Cuboid;
-use crate::plant::self_collision::{Capsules, CollisionCounter, Gap, nearest, nowhere};
+use crate::plant::self_collision::{Capsules, Gap, nearest, nowhere};
 
 /// The longest time step, ms.
 const LONGEST_STEP: f64 = 20.0;
@@ -34,7 +34,6 @@ pub(super) struct Legs<S: ?Sized> {
     pub(super) dynamics: ServoDynamics,
     /// The box of the body.
     pub(super) body: Option<Cuboid>,
-    pub(super) collisions: CollisionCounter,
     /// True if a leg is inside the floor or a block.
     pub(super) crosses: bool,
     pub(super) each: S,
@@ -149,7 +148,9 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 
     /// Returns the least distance of two parts of the robot.
-    fn gap(&self) -> Option<Gap> {
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn gap(&self) -> Option<Gap> {
         let mut lines = nowhere();
         for (lines, leg) in lines.iter_mut().zip(&self.each) {
             for (line, link) in lines.iter_mut().zip(leg.links.lines()) {
@@ -212,20 +213,6 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
             *foot = leg.links.foot;
         }
         ground.settle(mass, dt);
-    }
-
-    /// Starts to count collisions.
-    // Out of line, or it would be copied for each number of legs.
-    #[inline(never)]
-    pub(super) fn begin(&mut self) {
-        self.collisions.begin(self.gap());
-    }
-
-    /// Counts a collision at the end of a cycle.
-    // Out of line, or it would be copied for each number of legs.
-    #[inline(never)]
-    pub(super) fn watch(&mut self, cycle: u64) {
-        self.collisions.update(self.gap(), cycle);
     }
 
     /// Measures joints and soles.

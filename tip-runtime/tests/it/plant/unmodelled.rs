@@ -3,7 +3,9 @@
 use crate::plant::rig::{Rig, WEIGHT, angles, high_bellied, stance};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::{Part, titan8};
-use tip_runtime::plant::{Block, Floor, Plant, Scene, ServoDynamics, SimulatedPlant, Unmodelled};
+use tip_runtime::plant::{
+    Block, Clearance, Floor, Plant, Scene, ServoDynamics, SimulatedPlant, Unmodelled,
+};
 
 /// Standard gravity: mm/s².
 const GRAVITY: f64 = 9806.65;
@@ -188,14 +190,24 @@ fn turned(rig: &mut Rig, change: impl Fn(&mut [[f64; 3]; 4])) {
     }
 }
 
+/// Turns both legs on the left towards each other, and measures their distances in each cycle.
+fn measured(rig: &mut Rig, angle: f64) -> Clearance {
+    let mut joints = [[0.0, 0.0, 90.0]; 4];
+    (joints[0][0], joints[2][0]) = (-angle, angle);
+    let gap = |rig: &Rig| rig.plant.gap().expect("its legs are compared");
+    let mut clearance = Clearance::new(gap(rig));
+    for cycle in 0..60 {
+        rig.command(joints.map(|leg| leg.map(JointCommand::at)), 20.0);
+        clearance.update(gap(rig), cycle);
+    }
+    clearance
+}
+
 #[test]
 fn legs_that_go_through_each_other_are_counted() {
     // Both legs on the left turn by 60 degrees towards each other: they cross where the thighs end.
     let mut rig = Rig::new();
-    turned(&mut rig, |joints| {
-        (joints[0][0], joints[2][0]) = (-60.0, 60.0);
-    });
-    let found = rig.plant.clearance().expect("its legs are compared");
+    let found = measured(&mut rig, 60.0);
     assert!(
         found.collisions > 10 && found.least.distance < 0.0,
         "{found:?}"
@@ -204,10 +216,7 @@ fn legs_that_go_through_each_other_are_counted() {
     assert_eq!(seen(&rig).crossings, 0, "they are counted once");
     // By 20 degrees they stay apart.
     let mut rig = Rig::new();
-    turned(&mut rig, |joints| {
-        (joints[0][0], joints[2][0]) = (-20.0, 20.0);
-    });
-    let found = rig.plant.clearance().expect("its legs are compared");
+    let found = measured(&mut rig, 20.0);
     assert_eq!(found.collisions, 0);
     assert!(found.least.distance > 0.0, "{found:?}");
 }
