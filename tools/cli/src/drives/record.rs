@@ -60,7 +60,7 @@ pub(crate) struct Record {
     #[arg(long)]
     force: bool,
 
-    /// Add to a program that exists, before a line or before its END
+    /// Add to an existing program, before a line or its END
     ///
     /// All other lines stay. The program is written only if it is one with the new lines; else they are printed
     #[arg(long, value_name = "LINE|end", value_parser = Place::parse, conflicts_with = "force")]
