@@ -707,7 +707,8 @@ impl<P: Port> Drives<P> {
     /// robot at the angles to be sent, if it is known.
     ///
     /// # Errors
-    /// The port is gone, a joint is commanded a torque, two parts would overlap, or the bus or the watchdogs cannot have this sampling time.
+    /// The port is gone, a joint is commanded a torque, two parts would overlap, or the bus or the watchdogs cannot have this sampling
+    /// time.
     pub(crate) fn write_cycle(
         &mut self,
         commands: &[JointCommand],

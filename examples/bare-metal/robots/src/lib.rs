@@ -105,7 +105,7 @@ pub fn hexapod() -> Result<Hexapod, Mismatch> {
 /// Cycles of the walk with mass on slow machines: it stands up and swings its first legs.
 const SLICE: u64 = 250;
 
-/// Number of traced cycles of a gait, in which it begins to walk. Each cycle has about eighty steps.
+/// Number of traced cycles of a gait, in which it begins to walk. Each cycle has more than seventy steps.
 const BEGINNING: u64 = 60;
 
 /// Runs the first cycles of a gait as [`begin`] does, after the key W, which makes it walk ahead.
