@@ -19,7 +19,7 @@ fi
 printf 'no panic and no allocator among %d functions\n' "$(grep -c ' FUNC ' <<<"$symbols")"
 
 traces_of_host
-# By -icount an instruction takes 2^5 ns; a tick of the board's timer, at 25 MHz, takes 40.
+# With -icount shift=5 an instruction takes 2^5 ns; a tick of the board's timer, at 25 MHz, takes 40 ns.
 timeout 1800 qemu-system-arm -M mps2-an386 -cpu cortex-m4 -icount shift=5 -nographic -monitor none -serial none \
   -semihosting-config enable=on,target=native -kernel "$firmware" >"$target/cortex-m.trace" 2>"$target/cortex-m.report" ||
   { cat "$target/cortex-m.report" >&2; exit 1; }

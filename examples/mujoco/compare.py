@@ -1,4 +1,4 @@
-"""Compares the same run on two plants: how far the body comes, how high it is, and how it pitches while the robot walks.
+"""Compares the same run on two plants: the distance of the body, and its height and pitch while the robot walks.
 
 Arguments: names for the table, the trace of MuJoCo and that of the dynamic plant, both of `tip run --trace-motion`, and the cycles
 between which the robot walks. Prints a row of a table; ends with status 1 if the plants are apart by more than the limits.
@@ -7,12 +7,12 @@ between which the robot walks. Prints a row of a table; ends with status 1 if th
 import json
 import sys
 
-# Limits: a part of the distance; height in mm; pitch in deg, in the mean and at any time.
+# Limits of the differences: the distance as a share, the mean height in mm, the mean pitch and the pitch at any time in deg.
 DISTANCE, HEIGHT, PITCH, PEAK = 0.05, 2, 0.3, 1
 
 
 def poses(path):
-    """Poses by cycle: x, y, z in mm, roll, pitch, yaw in deg."""
+    """Returns the poses by cycle: x, y, z in mm, roll, pitch, yaw in deg."""
     with open(path) as lines:
         records = map(json.loads, lines)
         return {record["cycle"]: record["pose"] for record in records if "pose" in record}

@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { deflateRawSync, gzipSync } from 'node:zlib';
 import { page } from '../../tools/view/page/bundle.mjs';
 
-/** The most bytes that a visitor of the playground on a server downloads, by gzip. */
+/** Largest number of bytes that a visitor of the playground on a server downloads, by gzip. */
 const LIMIT = 1.75e6;
 
 const [wasm, out] = process.argv.slice(2);

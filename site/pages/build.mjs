@@ -1,5 +1,5 @@
 // Writes the pages around the playground: the Markdown of the repository, a gallery of replays, the lessons and the search.
-// A page that links to nothing ends the build.
+// A link that leads nowhere ends the build.
 // node build.mjs OUT TIP
 import { execFileSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -10,7 +10,7 @@ import { WORDS } from './words.mjs';
 const [out, tip] = process.argv.slice(2);
 const root = join(import.meta.dirname, '../..');
 const read = (path) => readFileSync(join(root, path), 'utf8');
-// In a container the folder may be another user's.
+// In a container the folder may belong to another user.
 const stored = execFileSync('git', ['-c', 'safe.directory=*', 'ls-files'], { cwd: root, encoding: 'utf8' }).trim().split('\n');
 const workspace = read('Cargo.toml').split('[workspace.package]')[1];
 const [version, repository] = ['version', 'repository'].map((key) => new RegExp(`^${key} = "(.*)"`, 'm').exec(workspace)[1]);
@@ -31,10 +31,10 @@ const pageOf = (path) => path.replace(/README/, 'index').replace(/\.md$/, '.html
 /** The example that a file belongs to: its folder has a page with its sources. */
 const exampleOf = (path) => /^examples\/[^/]+/.exec(path)?.[0];
 
-/** What is still to be written and what was: the content of each page, its identities, and the links to check. */
+/** Markdown files whose pages are to be written, the pages that were written with their identities, the links to check, and the sections to search. */
 const [wanted, pages, links, sections] = [[], new Map(), [], []];
 
-/** Where a link of a Markdown file leads on the site, seen from the page of that file. */
+/** Returns the address on the site that a link of a Markdown file leads to, relative to the page of that file. */
 function place(from, href) {
   if (/^[a-z]+:/.test(href)) return href;
   const [name, fragment = ''] = decodeURI(href).split('#');
@@ -62,13 +62,13 @@ function place(from, href) {
 }
 
 const markdown = new MarkdownIt({ html: true });
-// A reader without a mouse reaches what scrolls.
+// Parts that scroll can have the focus, for readers without a mouse.
 markdown.renderer.rules.table_open = () => '<div class="wide" tabindex="0"><table>';
 markdown.renderer.rules.table_close = () => '</table></div>';
 const fence = markdown.renderer.rules.fence;
 markdown.renderer.rules.fence = (...all) => fence(...all).replace('<pre>', '<pre tabindex="0">');
 
-/** The HTML of a Markdown file, its headings and its identities; its sections go to the search. */
+/** Returns the HTML of a Markdown file, its headings and its identities; adds its sections to the search. */
 function rendered(path) {
   const tokens = markdown.parse(read(path).replace(/^```(\w+),.*$/gm, '```$1'), {});
   const [headings, ids] = [[], new Set()];
@@ -98,14 +98,14 @@ function rendered(path) {
   const html = markdown.renderer
     .render(tokens, markdown.options, {})
     .replace(/<img src="(docs[^"]*)"/g, (_, src) => `<img src="${place(path, src)}"`)
-    // What is written as HTML: it scrolls, too. A cell without words heads nothing.
+    // Tables that are written as HTML scroll, too. A heading cell without words becomes a plain cell.
     .replace(/<thead>\s*<tr>\s*(<th[^>]*><\/th>\s*)+<\/tr>\s*<\/thead>/g, '')
     .replace(/(^|[^>])<table>([^]*?)<\/table>(?!<\/div>)/g, '$1<div class="wide" tabindex="0"><table>$2</table></div>')
     .replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
   return { html, headings, ids };
 }
 
-/** The files of an example. */
+/** Returns the HTML of the files of an example, and its identities. */
 function sources(folder) {
   const files = stored.filter((path) => path.startsWith(`${folder}/`) && !/README\.md$|Cargo\.lock$/.test(path));
   const shown = files.map((path) => `<details><summary>${path}</summary><pre tabindex="0" id="${path}"><code>${escaped(read(path))}</code></pre></details>`);
@@ -150,7 +150,7 @@ ${scripts.map((name) => `<script src="${up(name)}"></script>`).join('\n')}
   for (const [, target] of entries) links.push({ from: page, target });
 }
 
-/** Robots that walked while the site was built, each with its replay, the diagram of its run and its source. */
+/** Writes the page of the runs that were simulated while the site was built, each with its replay, its diagram and its source. */
 function gallery(language) {
   const at = LANGUAGES.indexOf(language);
   const word = (name) => WORDS[name][at];

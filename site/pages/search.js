@@ -1,6 +1,6 @@
 // Lists the sections (SECTIONS, of sections.js) that have every word of the query, those with the words in their titles first.
 
-/** The most sections that are listed. */
+/** Largest number of sections that are listed. */
 const MOST = 50;
 /** Characters of the text around the first word that was found. */
 const AROUND = 80;
@@ -9,7 +9,7 @@ const query = (new URLSearchParams(location.search).get('q') ?? '').trim();
 const words = query.toLowerCase().split(/\s+/).filter(Boolean);
 const spoken = document.documentElement.lang;
 
-/** The rank of a section; 0 if it lacks a word. */
+/** Returns the rank of a section; 0 if it lacks a word. */
 function rank({ page, title, text, language }) {
   const [above, below] = [`${page} ${title}`.toLowerCase(), text.toLowerCase()];
   if (!words.every((word) => above.includes(word) || below.includes(word))) return 0;
@@ -18,7 +18,7 @@ function rank({ page, title, text, language }) {
   return 1 + named + Math.min(often, 9) + (language === spoken ? 5 : 0);
 }
 
-/** The text around the first word, with the words marked. */
+/** Returns the text around the first word, with the words marked. */
 function excerpt(text) {
   const flat = text.replace(/\s+/g, ' ');
   const places = words.map((word) => flat.toLowerCase().indexOf(word)).filter((at) => at >= 0);

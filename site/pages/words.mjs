@@ -1,4 +1,4 @@
-// What the pages around the playground say, in English and Japanese.
+// Texts of the pages around the playground, in English and Japanese.
 
 const doors = (list) => `<ul class="doors">${list.map(([href, title, text]) => `<li><a href="${href}">${title}</a><br>${text}</li>`).join('')}</ul>\n`;
 
@@ -35,8 +35,8 @@ export const WORDS = {
   source: ['Source', 'ソース'],
   change: ['Change it', '書き換える'],
   lessonsText: [
-    'Each lesson opens in the playground, with a program to change. What a pupil writes stays in this browser under the pupil\'s name; the address of the page holds it too, and can be sent.',
-    'レッスンはプレイグラウンドで開き、プログラムを書き換えながら進みます。書いたものは、名前ごとにこのブラウザに残ります。ページのアドレスにも入るので、そのまま送れます。',
+    'Each lesson opens in the playground, with a program to change. A program stays in this browser under the pupil\'s name. The address of the page holds it too, and can be sent.',
+    'レッスンはプレイグラウンドで開き、プログラムを書き換えながら進みます。書いたプログラムは、名前ごとにこのブラウザに残ります。ページのアドレスにも含まれるので、アドレスを送れば共有できます。',
   ],
   pupil: ['Name', '名前'],
   begin: ['Begin', '始める'],

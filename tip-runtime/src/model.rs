@@ -373,7 +373,7 @@ impl fmt::Display for Part {
 impl FromStr for Part {
     type Err = ();
 
-    /// Reads a part as it is written.
+    /// Parses `body`, or a link such as `link12`: leg 1, joint 2.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let number = |digit: &u8| matches!(digit, b'1'..=b'9').then_some(digit - b'0');
         match (text, text.strip_prefix("link").map(str::as_bytes)) {

@@ -232,7 +232,7 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
     }
 
     /// Measures the least distance of two parts of the robot; `None` where it cannot be measured, or no pair is compared.
-    /// A cycle does not need it, so that only those who ask pay for it.
+    /// A control cycle does not need the distance, so that a run that does not ask for it saves the time.
     fn gap(&self) -> Option<Gap> {
         None
     }

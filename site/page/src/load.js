@@ -1,4 +1,4 @@
-// The module, which is inside this page. A script of its own, which begins while the page's script still comes.
+// Compiles the module, which is inside this page. It is a script of its own, so that it begins before the page's script has come.
 
 import { bytesOf, inflated } from '../../../tools/view/page/src/unpack.js';
 

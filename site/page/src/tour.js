@@ -1,4 +1,4 @@
-// What the playground shows: lessons, examples and programs of one's own, and their addresses.
+// The content of the playground: lessons, examples and programs of one's own, and their addresses.
 
 import { element, make } from '../../../tools/view/page/src/dom.js';
 import { notice } from '../../../tools/view/page/src/page.js';
@@ -8,11 +8,11 @@ import { fragmentOf, readFragment } from './link.js';
 /** Robots, examples and lessons of ../../contents.json, and their files by path; put here by ../assemble.mjs. */
 const { robots, examples, lessons, files } = CONTENTS;
 const told = (texts) => texts[spoken()];
-/** Whose page this is, by its address: pupils may share a browser. */
+/** The name of the pupil in the address of the page, since pupils may share a browser. */
 const PUPIL = new URLSearchParams(location.search).get('pupil') ?? '';
 const SHELF = `tip-lessons ${PUPIL}`;
 
-/** What was written into lessons and examples, by choice: who comes back finds it again. */
+/** Returns the texts that were written into lessons and examples before, by choice. */
 function readKept() {
   try {
     return new Map(JSON.parse(localStorage.getItem(SHELF) ?? '[]'));
@@ -48,7 +48,7 @@ export class Tour {
     whenSpoken(() => this.say());
   }
 
-  /** What the address names; else a robot that walks. */
+  /** Opens the lesson, example or program that the address names; else a robot that walks. */
   async openAddress() {
     if (location.hash === this.address) return;
     let wanted;
@@ -109,7 +109,7 @@ export class Tour {
     try {
       localStorage.setItem(SHELF, JSON.stringify([...this.kept]));
     } catch {
-      // Without storage it is kept as long as the page is open.
+      // Without storage the text is kept as long as the page is open.
     }
   }
 
@@ -118,7 +118,7 @@ export class Tour {
     this.remember(await fragmentOf(this.wanted()));
   }
 
-  /** What an address holds of a program of one's own. */
+  /** Returns the parts of a program of one's own that an address holds. */
   wanted() {
     return { text: this.text, robot: element('robot').value, events: element('scripted').value };
   }

@@ -1,5 +1,5 @@
-// The page of `tip serve --hardware` in Firefox, on simulated servos: a finger arms and drives, a watcher stops. driving.test.mjs
-// asks Chromium more.
+// Tests the page of `tip serve --hardware` in Firefox, on simulated servos: a finger arms and drives, a watcher stops.
+// driving.test.mjs has more tests, in Chromium.
 import assert from 'node:assert/strict';
 import { resolve } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -18,7 +18,7 @@ after(async () => {
   assert.equal(await server.end(), 130);
 });
 
-/** Fingers on the screen: each a list of actions, all lists as long. */
+/** Puts fingers on the screen. Each finger is a list of actions; all lists have the same length. */
 const touch = ({ session }, ...fingers) => {
   const actions = fingers.map((actions, n) => ({ type: 'pointer', id: `finger${n}`, parameters: { pointerType: 'touch' }, actions }));
   return session.send('input.performActions', { context: session.context, actions });
@@ -50,7 +50,7 @@ test('a finger starts the robot, another one steers it, and a watcher stops it',
   await session.run(() => document.getElementById('take').click());
   await watcher.until(({ held }) => held, 'the page drives');
   const button = await centre(firefox, '#hold');
-  // Again where a busy machine let the press lapse.
+  // On a busy machine the press may lapse; then it is repeated.
   for (let times = 0; times < 10; times += 1) {
     await touch(firefox, put(button));
     if (await watcher.until(({ phase, stage }) => phase === 'running' && stage === 'driven', 'it runs', 6000).catch(() => undefined)) break;

@@ -1,4 +1,4 @@
-// A gait that fingers steer on the page of `tip serve`: the simulated body goes as the pads say. TIP is the command that `run` has
+// Tests a gait that fingers steer on the page of `tip serve`: the simulated body goes as the pads say. TIP is the command that `run` has
 // built. With SHOTS, a folder, a picture of each motion is left there.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -6,7 +6,7 @@ import { launch, visit } from './browsers.mjs';
 import { serve } from './served.mjs';
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
-/** How long a pad is pushed: ms. The body reaches its speed in 300 ms of the robot. */
+/** Time for which a pad is pushed: ms. The body reaches its speed in 300 ms of the robot's time. */
 const PUSH = 2500;
 let browser;
 let server;
@@ -24,7 +24,7 @@ after(async () => {
   assert.equal(await server.end(), 130);
 });
 
-/** The way of the body since the start, which a page that rests knows: mm ahead and to the right, deg to the left. */
+/** Returns the way of the body since the start, which the page shows while it is paused: mm ahead and to the right, deg to the left. */
 const way = async () => {
   await page.click('#play');
   await page.waitForFunction(() => document.querySelector('#outcome').textContent.includes('paused'));
@@ -40,7 +40,7 @@ const way = async () => {
     left: amount(/([\d.]+) ° to the (right|left)/, 'left'),
   };
 };
-/** The same when the body stands: the way does not change any more. */
+/** Returns the way once the body stands, which is when the way does not change any more. */
 const stands = async () => {
   for (let last = await way(), times = 0; times < 20; times += 1) {
     await page.waitForTimeout(500);
@@ -73,7 +73,7 @@ test('the body goes as the pads say, and stands when they are let go', async () 
   for (const button of ['#stop', '#halt']) {
     assert.ok(await page.$eval(button, (button) => button.scrollWidth <= button.clientWidth), button);
   }
-  // Of the three ways, one is far.
+  // The body goes far in one of three directions.
   const ahead = await pushed('ahead', '#stick', 0, 60);
   assert.ok(ahead.ahead > 100 && Math.abs(ahead.right) < 5 && Math.abs(ahead.left) < 2, JSON.stringify(ahead));
   const right = await pushed('right', '#sidestep', 60, 0);

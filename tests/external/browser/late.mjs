@@ -1,4 +1,4 @@
-// Late cycles of a robot on simulated servos, with a page connected and without one: node late.mjs [CYCLES [PERIOD]]. Both robots
+// Counts late cycles of a robot on simulated servos, with a page connected and without one: node late.mjs [CYCLES [PERIOD]]. Both robots
 // run at the same time, so that whatever else the machine does disturbs both.
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,7 +9,7 @@ import { Viewer } from './viewer.mjs';
 
 const [CYCLES, PERIOD] = [Number(process.argv[2] ?? 1e5), Number(process.argv[3] ?? 5)];
 
-/** The leg of the tests, which nobody needs to hold. */
+/** Writes the description of the leg of the tests, for which nobody needs to hold a button. */
 function robot() {
   const text = readFileSync('leg.toml', 'utf8').replace(/driver_silence.*/, 'hold_to_drive = false\ndriver_silence = [3600, 3600, 3600]');
   const file = join(mkdtempSync(join(tmpdir(), 'tip-late-')), 'leg.toml');

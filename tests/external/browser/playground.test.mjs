@@ -1,4 +1,4 @@
-// What a browser makes of the playground: SITE is the folder that site/build has filled.
+// Tests the playground in a browser. SITE is the folder that site/build has filled.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';

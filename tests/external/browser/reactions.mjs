@@ -1,5 +1,6 @@
-// How soon a robot on simulated servos reacts to an emergency stop, and to a driver's page that is lost; what the registers of its
-// servos are afterwards: node reactions.mjs [stops|losses] [TIMES]. The network is cut between two namespaces, as root.
+// Measures how soon a robot on simulated servos reacts to an emergency stop, and to the loss of the driver's page, and reads the
+// registers of its servos afterwards: node reactions.mjs [stops|losses] [TIMES]. To cut the network between two namespaces, it needs
+// root.
 import { execFileSync, spawn } from 'node:child_process';
 import { chmodSync, closeSync, constants, mkdtempSync, openSync, readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -14,14 +15,14 @@ const [kind, times] = [process.argv[2] ?? 'stops', Number(process.argv[3] ?? 100
 const folder = mkdtempSync(join(tmpdir(), 'tip-reactions-'));
 const WATCHERS = 20;
 
-/** Servos on a pseudo-terminal, which outlive the server. */
+/** Starts servos on a pseudo-terminal, which outlive the server. */
 async function bus(robot) {
   const child = spawn(process.env.TIP, ['drives', 'simulate', robot], { stdio: ['ignore', 'pipe', 'inherit'] });
   const line = await new Promise((resolve) => createInterface(child.stdout).once('line', resolve));
   return { port: /\/dev\/\S+?(?=[;,\s]|$)/.exec(line)[0], end: () => child.kill('SIGINT') };
 }
 
-/** Which servos have torque: register 40 of an STS3215, by a request of its protocol. */
+/** Reads whether the torque of each servo is on: register 40 of an STS3215, by a request of its protocol. */
 async function torque(port) {
   const file = openSync(port, constants.O_RDWR | constants.O_NOCTTY | constants.O_NONBLOCK);
   const states = [];
@@ -47,18 +48,18 @@ async function torque(port) {
   return states.join(' ');
 }
 
-/** The leg of the tests with other times of silence, and with servos on a line. */
+/** Writes the description of the leg of the tests, with other times of silence, and with tolerance for servos on a pseudo-terminal. */
 function robot(silence) {
   const file = join(folder, `leg-${silence.join('-')}.toml`);
   const text = readFileSync('leg.toml', 'utf8').replace(/driver_silence.*/, `driver_silence = ${JSON.stringify(silence)}`);
-  // The line of a busy machine is late.
+  // On a busy machine a pseudo-terminal passes answers on late.
   writeFileSync(file, text.replace('servo =', 'latency = 20\nsilence = 100\nservo ='));
   return file;
 }
 
 const run = (file, port, ...options) => serve('steered.prg', '--hardware', file, '--port', port, ...options);
 
-/** From the page of a watcher, through its own clock: until it shows the stop. */
+/** Stops the robot on the page of a watcher, and returns the time until the page shows the stop, by its own clock. */
 const stops = (page) =>
   page.evaluate(
     () =>
@@ -96,7 +97,7 @@ async function measureStops(isFlooded) {
     await driver.until(({ phase }) => phase === 'left', 'it is left');
     told.push(driver.robot.stopped_in);
     driver.release();
-    // The first second after another page's stop restarts nothing.
+    // In the first second after the stop of another page a restart is refused.
     await wait(1100);
     if (n + 1 === times) break;
     driver.send({ do: 'restart' });
@@ -113,7 +114,7 @@ async function measureStops(isFlooded) {
   console.log(`  until the page shows it:   ${spread(shown)}`);
 }
 
-/** A browser in a network of its own; the server is reached over a line that can be cut. */
+/** Makes a network of its own for a browser, which reaches the server over a line that can be cut. */
 function network() {
   const ip = (...words) => execFileSync('ip', words);
   const name = 'tip-phone';
@@ -132,7 +133,7 @@ function network() {
     inside,
     cut: () => ip('link', 'set', 'tip-host', 'down'),
     mend: () => ip('link', 'set', 'tip-host', 'up'),
-    /** To the processes of pages. */
+    /** Sends a signal to the processes of pages. */
     signal: (signal) => {
       const pids = ip('netns', 'pids', name).toString().trim().split('\n').map(Number);
       for (const pid of pids.filter((pid) => readFileSync(`/proc/${pid}/cmdline`, 'utf8').includes('--type=renderer'))) process.kill(pid, signal);
@@ -152,7 +153,7 @@ const LOSSES = {
   'page out of focus': [({ page }) => page.evaluate(() => window.dispatchEvent(new Event('blur'))), () => {}],
   'page hidden': [({ page }) => page.evaluate(() => document.dispatchEvent(new Event('visibilitychange'))), () => {}],
   'page suspended': [({ line }) => line.signal('SIGSTOP'), ({ line }) => line.signal('SIGCONT')],
-  // A timer of a phone asleep fires once a second at most.
+  // On a phone that is asleep a timer fires once a second at most.
   'timers throttled': [({ page }) => page.evaluate(throttle), ({ page }) => page.evaluate(() => clearInterval(window.asleep))],
   'server frozen for 1 s': [({ server }) => process.kill(server.pid, 'SIGSTOP'), async ({ server }) => process.kill(server.pid, 'SIGCONT')],
   'network cut': [({ line }) => line.cut(), ({ line }) => line.mend()],
@@ -161,7 +162,7 @@ const LOSSES = {
 async function measureLosses() {
   const line = network();
   const browser = await chromium.launch({ executablePath: line.inside, args: ['--no-sandbox', '--enable-unsafe-swiftshader'] });
-  // A busy machine is silent for longer than the 0.3 s of most robots.
+  // On a busy machine the page may be silent for longer than the default of 0.3 s.
   const file = robot([0.8, 600, 600]);
   const servos = await bus(file);
   const server = await run(file, servos.port, '--listen', '10.77.0.1:0');
@@ -212,7 +213,7 @@ async function measureLosses() {
   await server.end();
   console.log(`  the servos after Ctrl-C: torque ${await torque(servos.port)} (it relaxes)`);
   servos.end();
-  // What comes after the pause.
+  // The reactions after the pause are measured with the default times.
   const ends = {
     'page closed': ['steered.prg', ['paused', 'halt'], 'it relaxes'],
     'page closed, a program that hears no halt': ['deaf.prg', ['paused', 'halt', 'emergency'], 'it holds'],

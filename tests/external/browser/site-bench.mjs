@@ -1,4 +1,4 @@
-// How soon the playground on a server is ready: for visitors who have nothing of it yet. SITE is the folder that site/build has filled.
+// Measures how soon the playground on a server is ready for visitors who have nothing of it in their cache. SITE is the folder that site/build has filled.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { launch, settle, visit } from './browsers.mjs';

@@ -1,4 +1,4 @@
-// Pictures of the site, for people to judge: four widths, two schemes, two languages. SITE is its folder.
+// Takes pictures of the site for people to judge, in four widths, two schemes and two languages. SITE is its folder.
 import { mkdirSync } from 'node:fs';
 import { launch, visit } from './browsers.mjs';
 

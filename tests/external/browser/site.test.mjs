@@ -1,4 +1,4 @@
-// What a browser makes of the site: SITE is the folder that site/build has filled. playground.test.mjs asks the playground more.
+// Tests the site in a browser. SITE is the folder that site/build has filled. playground.test.mjs has more tests of the playground.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -8,14 +8,14 @@ import { launch } from './browsers.mjs';
 const folder = process.env.SITE;
 const home = `file://${folder}/`;
 const root = `${import.meta.dirname}/../../..`;
-/** The most bytes of all files, and of the first page with its pictures. */
+/** Largest numbers of bytes of all files, and of the first page with its pictures. */
 const [MOST, MOST_FIRST] = [25e6, 0.8e6];
 const files = readdirSync(folder, { recursive: true }).filter((name) => statSync(`${folder}/${name}`).isFile());
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-/** A page of its own, with what it asked for and complained of. */
+/** Opens a page in a context of its own, and records its requests and its errors. */
 async function open(path, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en', ...options });
   const page = await context.newPage();

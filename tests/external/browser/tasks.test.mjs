@@ -1,4 +1,4 @@
-// The tasks of a new user, from opening a page to the answer, each within a minute. The answers are computed here from traces and
+// Does tasks of a new user, from opening a page to the answer, each within a minute. The answers are computed here from traces and
 // tables. PAGES is the folder that `run` has put them into, TIP the command that it has built.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -18,10 +18,10 @@ const task = (name, work) => test(name, { timeout: 60_000 }, async (context) => 
   context.diagnostic(`${((performance.now() - begin) / 1000).toFixed(1)} s`);
 });
 
-/** The cycles of a trace. */
+/** Returns the cycles of a trace. */
 const traced = (name) => readFileSync(`${pages}/${name}.jsonl`, 'utf8').trimEnd().split('\n').map((line) => JSON.parse(line)).filter(({ cycle }) => cycle !== undefined);
 
-/** The row of a figure: its text, the text of its moment, and a click on it. */
+/** Returns the text of a figure, the text of its moment, and a function that clicks on the moment. */
 async function figure(page, name) {
   await page.click('#figures-tab');
   const row = page.locator('#figures tr', { has: page.locator(`th:text("${name}")`) });
@@ -36,7 +36,7 @@ task('where and when is the stability margin least?', async () => {
   const least = Math.min(...cycles.map(({ margin }) => margin));
   const { cycle } = cycles.find(({ margin }) => margin === least);
   assert.equal(text, `${least.toFixed(1)} mm at least`);
-  // Cycles of 20 ms; the moment is the begin of one.
+  // The moment is the beginning of a cycle; cycles take 20 ms.
   assert.match(moment, new RegExp(`^${(cycle * 0.02).toFixed(3)} s cycle ${cycle}, line \\d+$`));
   await go();
   assert.match(await page.textContent('#now-cycle'), new RegExp(`^${cycle} / `));
@@ -49,13 +49,13 @@ task('how far does a foot slip, and which one?', async () => {
   const { figure: text, go } = await figure(page, 'slip');
   const [, most] = text.match(/^([\d.]+) mm at most$/);
   const foot = await page.locator('#figures th:text("slip")').textContent();
-  // The terminal says so, too.
+  // The terminal has said the same.
   const said = JSON.parse(readFileSync(`${pages}/slips.json`, 'utf8'));
   assert.deepEqual([most, foot], [said.slip.value.toFixed(1), `slip ${said.slip.of}`]);
   assert.ok(Number(most) > 100, most);
   await go();
   assert.match(await page.textContent('#now-cycle'), new RegExp(`^${said.slip.cycle} / `));
-  // The list has a slip of this foot that is as long, in the recorded motion.
+  // The list of events, from the recorded motion, has a slip of this foot that is as long.
   await page.click('#log-tab');
   const listed = await page.$$eval('.mark.slip', (all) => all.map((one) => one.textContent));
   const longest = Math.max(...listed.filter((one) => one.includes(`${said.slip.of} slipped`)).map((one) => Number(one.match(/\(([\d.]+) mm\)/)[1])));
@@ -89,7 +89,7 @@ task('how does the best run of a sweep look?', async () => {
   assert.equal(speed, `${Math.max(...speeds).toFixed(1)} mm/s forward`);
   assert.equal(await row.locator('td').first().textContent(), `★ ${speeds.indexOf(Math.max(...speeds))}`);
   await shown.close();
-  // So does a double click.
+  // A double click opens the run, too.
   const [again] = await Promise.all([context.waitForEvent('page'), row.dblclick()]);
   await again.waitForSelector('html[data-ready]', { state: 'attached', timeout: 30_000 });
   await context.close();

@@ -1,4 +1,4 @@
-// A viewer of `tip serve` without a page: what the tests watch and drive with.
+// A viewer of `tip serve` without a page, with which tests watch and drive.
 
 /** Time between two signs of life: ms. */
 const SIGN = 100;
@@ -34,7 +34,7 @@ export class Viewer {
     this.socket.send(JSON.stringify({ id: this.id, ...request }));
   }
 
-  /** Waits until the robot is so; gives the time at which that was heard. */
+  /** Waits until the robot is in a state; returns the time at which that was heard. */
   until(knows, what = String(knows), patience = 60_000) {
     if (knows(this.robot, this)) return Promise.resolve(performance.now());
     return new Promise((resolve, reject) => {
@@ -77,7 +77,7 @@ export class Viewer {
   }
 }
 
-/** Median, 95th of 100, and largest of some times. */
+/** Returns the median, the 95th percentile and the maximum of some times. */
 export function spread(times) {
   const sorted = [...times].sort((one, other) => one - other);
   const at = (part) => sorted[Math.min(Math.floor(part * sorted.length), sorted.length - 1)].toFixed(1);

@@ -20,7 +20,7 @@ GRASP = ["examples/grasp/motions/grasp.prg", "--robot", "hand", "--scene", "exam
 STIFF = ["site/lessons/09-walk.prg", "--events", "20:set SHARE.X=0, 20:set SHARE.Y=0"]
 WALK = ["examples/walk/motions/walk.prg"]
 MASS = ["--plant", "dynamic"]
-# Slip is measured in the plant, between cycles as well where there is mass: mm.
+# The arguments of each run, and the tolerance of its slip, mm. A plant with mass measures slip between cycles as well.
 RUNS = {
     "walk": (WALK, 0.01),
     "walk with mass": (WALK + MASS, 0.5),
@@ -46,7 +46,7 @@ def numbers(text):
 
 
 def matrix(axis, angle):
-    """The rotation about a unit vector (Rodrigues)."""
+    """Returns the rotation about a unit vector (Rodrigues)."""
     (x, y, z), c, s = axis, math.cos(angle), math.sin(angle)
     t = 1 - c
     return [[t * x * x + c, t * x * y - s * z, t * x * z + s * y], [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
@@ -73,7 +73,7 @@ class Model:
             self.by_parent.setdefault(joint.find("parent").get("link"), []).append(joint)
 
     def foot(self, leg, angles):
-        """The place of a foot in the robot's frame, mm: x to the right, y forward."""
+        """Returns the place of a foot in the robot's frame, mm: x to the right, y forward."""
         turn, place = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]
         joint = self.joints[f"J{leg}1"]
         rest = list(angles)
@@ -95,7 +95,7 @@ def in_world(point, pose):
 
 
 def largest_slip(cycles, model, period, has_mass):
-    """The largest distance of a foot from where it touched down: mm, foot, cycle. Without mass it is measured along the floor."""
+    """Returns the largest distance of a foot from where it touched down: mm, foot, cycle. Without mass it is measured along the floor."""
     most = (0.0, None, None)
     for leg in range(len(cycles[0]["loads"])):
         touchdown, up = None, math.inf
@@ -187,7 +187,7 @@ def judge(name, arguments, slips_within):
         model = Model(urdf)
         slip, foot, cycle = largest_slip(cycles, model, period, "dynamic" in arguments)
         near("slip", figures["slip"]["value"], slip, slips_within)
-        # With mass another foot may slip as far within this tolerance; slips of nothing have no moment.
+        # With mass another foot may slip as far within this tolerance; a slip of 0 has no moment.
         if slips_within < 0.1 and slip > 1:
             assert (figures["slip"]["of"], figures["slip"]["cycle"]) == (foot, cycle), (figures["slip"], foot, cycle)
         terminal("slip", f"{figures['slip']['value']:.1f} mm")
@@ -222,7 +222,7 @@ def judge(name, arguments, slips_within):
         terminal("torque", f"{value:.1f} ", f"{figures['torque']['of']} after {moment(figures['torque'], -row)}")
     for finger, force in enumerate(figures["forces"], 1):
         value, row = max((float(row[f"F{finger}_N"]), -int(row["cycle"])) for row in rows)
-        # The greatest force is that between cycles as well.
+        # The greatest force may be between two cycles.
         assert force["value"] >= value - 1e-9, (force, value)
         terminal("force", f"F{finger}:", f"{force['value']:.2f} N at most")
     print(f"{name}: {len(cycles)} cycles; equal in trace, terminal, JSON and page: {', '.join(dict.fromkeys(checked))}")

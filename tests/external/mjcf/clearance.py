@@ -21,7 +21,7 @@ FAR = 10.0  # m
 
 
 def program(model, legs, random):
-    """Sends all legs to random angles, again and again, within 80 % of their limits."""
+    """Returns a program that sends all legs to random angles, again and again, within 80 % of their limits."""
     lines = ["3.1", "random postures"]
     for _ in range(CYCLES // 30):
         for leg, joints in enumerate(legs, 1):
@@ -59,11 +59,11 @@ class Bodies:
         return self.model.geom("body" if part == "body" else f"{part}_capsule").id
 
     def distance(self, one, other):
-        """The distance of two parts, mm."""
+        """Returns the distance of two parts, mm."""
         model, data = self.model, self.data
         first, second = self.geom(one), self.geom(other)
         if other == "body" and self.parts[one][1] == 2:
-            # Half of a second link is beside its joint.
+            # Of a second link only the half away from its joint is compared with the body.
             size, at = model.geom_size[first].copy(), data.geom_xpos[first].copy()
             along = data.geom_xmat[first].reshape(3, 3)[:, 2] * size[1] / 2
             joint = data.xpos[model.geom_bodyid[first]]
@@ -114,7 +114,7 @@ def judge(tip, robot):
         chosen.add(pair)
         overlaps += ours < 0
         radius = model.geom_size[bodies.geom(pair[0])][0] * 1000
-        # A line inside of the box counts as on its side; MuJoCo has its depth.
+        # We take a line inside the box as on its surface; MuJoCo reports its depth, so that the distances differ.
         inside = "body" in pair and ours <= LIMIT - radius
         if not inside:
             apart = max(apart, abs(theirs[pair] - ours))

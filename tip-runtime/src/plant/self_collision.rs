@@ -44,7 +44,7 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// Returns the distance (mm) between two parts.
+    /// Creates the distance (mm) between two parts.
     pub const fn new(distance: f64, parts: [Part; 2]) -> Self {
         Gap { distance, parts }
     }
@@ -134,7 +134,7 @@ impl<const L: usize, const J: usize> SelfCollision<L, J> {
         meets((n, j), (m, i)) || meets((m, i), (n, j))
     }
 
-    /// Returns the least distance at joint angles in one row, leg by leg; `None` also if there are others than the joints have.
+    /// Returns the least distance at joint angles in one row, leg by leg; `None` also if the row has another length.
     pub fn clearance_of_row(&self, angles: &[f64]) -> Option<Gap> {
         let (legs, rest) = angles.as_chunks::<J>();
         let legs: &[[f64; J]; L] = legs.try_into().ok().filter(|_| rest.is_empty())?;
@@ -580,7 +580,7 @@ mod tests {
 
     #[test]
     fn thicker_links_are_nearer_by_their_radii() {
-        // The thighs cross, whose lines are parallel to the floor and at the same height: their distance is that of the radii.
+        // The lines of the thighs are at the same height and cross, so that the distance is the sum of both radii, negative.
         let mut model = titan8::MODEL;
         let mut crossed = model.legs.map(|leg| leg.initial);
         (crossed[0][0], crossed[2][0]) = (-60.0, 60.0);

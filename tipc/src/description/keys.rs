@@ -250,7 +250,7 @@ keys! {
     Bus "start", "a number in deg/s" / "deg/s単位の数値", Some("30"), "how fast joints move to the initial posture before the program starts" / "プログラム開始前に初期姿勢へ動く速さ";
     Bus "at_end", "\"hold\" or \"relax\"" / "\"hold\" または \"relax\"", Some("hold"), "what the servos do when the program has ended" / "プログラム終了後のサーボの動作";
     Bus "in_emergency", "\"hold\" or \"relax\"" / "\"hold\" または \"relax\"", Some("hold"), "what the servos do in an emergency" / "非常停止時のサーボの動作";
-    Bus "collisions", "\"stop\" or \"warn\"" / "\"stop\" または \"warn\"", Some("stop"), "what a command does in whose posture two parts of the robot overlap: the emergency stop before it is sent, or a warning" / "ロボットの部分どうしが重なる姿勢が指令されたときの動作(送信前に非常停止、または警告)";
+    Bus "collisions", "\"stop\" or \"warn\"" / "\"stop\" または \"warn\"", Some("stop"), "reaction to a command to a posture in which two parts of the robot overlap: the emergency stop before it is sent, or a warning" / "ロボットの部分どうしが重なる姿勢が指令されたときの動作(送信前に非常停止、または警告)";
     Bus "hold_to_drive", "true or false" / "trueまたはfalse", Some("true"), "whether the page of `tip serve --hardware` drives the robot only while a button is held" / "`tip serve --hardware` のページで、ボタンを押している間だけ操縦できるかどうか";
     Bus "driver_silence", "[pause, halt, emergency] in s" / "秒単位の[一時停止, 停止要求, 非常停止]", Some("[0.3, 3, 10]"), "how long that page may be silent before the robot pauses with its sticks at rest, before the program is asked to halt, and before the emergency stop (3600 at most); with `hold_to_drive = false` it does not pause" / "操縦するページからの通信が途絶えてから、スティックを中立にして一時停止するまで、プログラムに停止を要求するまで、非常停止するまでの時間(最大3600。`hold_to_drive = false` では一時停止しない)";
 

@@ -364,7 +364,7 @@ impl Template {
 type Found = Result<Template, Making>;
 
 impl Choice {
-    /// Returns the parts for this robot, with a bus if it is to be real and can be on one.
+    /// Returns the parts for this robot, with a bus if the crate is for real hardware and its joints can be servos.
     ///
     /// # Errors
     /// The description has errors.
@@ -424,7 +424,7 @@ fn described(
     is_real: bool,
     motion: impl Fn(&Robot, f64) -> Result<Motion, Making>,
 ) -> Result<Found, Box<Loaded>> {
-    // What is wrong with it concerns the text without a bus of ours.
+    // Errors are reported with the lines of the user's text, before a bus is added to it.
     description::parse(name, text)?;
     let with_bus = is_real.then(|| with_bus(text)).flatten();
     let is_on_bus = with_bus.is_some();

@@ -280,7 +280,7 @@ pub(super) fn plural(count: usize, what: &str) -> String {
     format!("{count} {what}{end}")
 }
 
-/// Formats a number with so many decimals, without −0.
+/// Formats a number with the given number of decimals, and zero without a sign.
 pub(super) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {

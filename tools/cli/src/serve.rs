@@ -1,6 +1,6 @@
 //! `tip serve`: serves a page with a live run to any number of viewers. The session belongs to one thread (`hub`); each connection
-//! (`connections`) has its own, and so has the control cycle of a robot on servos (`hardware`). Of a table of runs it serves the page,
-//! and the replays of the runs that are asked for.
+//! (`connections`) has its own, and so has the control cycle of a robot on servos (`hardware`). For the table of a sweep it serves the
+//! page of the table, and a replay of each run that is asked for.
 
 mod connections;
 mod controls;
@@ -147,7 +147,7 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
     }
 }
 
-/// Time after which the server of a table notices Ctrl-C.
+/// Largest time until the server of a table notices Ctrl-C.
 const TICK: Duration = Duration::from_millis(50);
 
 /// Serves the page of a table, and its runs, until Ctrl-C.
@@ -205,7 +205,7 @@ impl Place {
         Ok(())
     }
 
-    /// Prints the address, and what others can do who know it.
+    /// Prints the address, and a message about what anyone who knows it can do.
     fn announce(&self, arguments: &Serve, others: Using) -> Result<(), Error> {
         let lang = arguments.run.source.output_options.lang();
         output::print(format!("{}\n", self.guard.address()))?;

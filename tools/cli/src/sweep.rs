@@ -552,7 +552,7 @@ fn specified(table: &Path, lang: Lang) -> Result<(tip_sweep::Sweep, Ranking), Er
     Ok((sweep, ranking))
 }
 
-/// Returns the page of a table, and the number of its runs. A server of the page replays runs for it.
+/// Returns the page of a table, and the number of its runs. If a server has the page, the runs open from it.
 pub(super) fn page(file: &Path, is_served: bool, lang: Lang) -> Result<(String, u64), Error> {
     let (sweep, ranking) = specified(file, lang)?;
     let mut front = Front::new(ranking);

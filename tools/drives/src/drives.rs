@@ -164,7 +164,7 @@ impl Load {
 pub struct Counts {
     /// Cycles that read.
     pub cycles: u64,
-    /// Answers that were missing or damaged.
+    /// Number of answers that were missing or damaged.
     pub missing: u64,
     /// Valid frames with a content that cannot be.
     pub implausible: u64,
@@ -201,7 +201,7 @@ struct State {
     age: u32,
     /// Number of requests since then.
     unanswered: u32,
-    /// Answers that were missing or damaged.
+    /// Number of answers that were missing or damaged.
     missing: u64,
     /// Error byte of the answers, and another one that came once.
     error: u8,
@@ -707,7 +707,8 @@ impl<P: Port> Drives<P> {
     /// robot at the angles to be sent, if it is known.
     ///
     /// # Errors
-    /// The port is gone, a joint is commanded a torque, two parts would overlap, or the bus or the watchdogs cannot have this sampling time.
+    /// The port is gone, a joint is commanded a torque, two parts would overlap, or the bus or the watchdogs cannot have this sampling
+    /// time.
     pub(crate) fn write_cycle(
         &mut self,
         commands: &[JointCommand],

@@ -194,7 +194,7 @@ pub struct Operator {
     last: Arc<AtomicUsize>,
     /// Number of the first signal that was noticed.
     signal: Option<u8>,
-    /// The distances between the parts of the robot, if it must not hit itself.
+    /// The distances between the parts of the robot, if a command that would make it hit itself stops it.
     distances: Option<Distances>,
 }
 

@@ -40,7 +40,7 @@ struct Table<'a> {
     to_come: &'a [LogEntry],
     /// The cycle after that of the last row.
     from: u64,
-    /// The distances between the parts of the robot are known.
+    /// True if the distances between the parts of the robot are known.
     has_gap: bool,
 }
 

@@ -60,7 +60,7 @@ pub(crate) trait DynHardware: Send {
         false
     }
 
-    /// Returns true if it simulates a robot without a body that moves.
+    /// Returns true if it simulates a robot whose body cannot move.
     fn is_bolted_down(&self) -> bool {
         false
     }

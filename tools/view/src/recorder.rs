@@ -384,7 +384,7 @@ impl Recorder {
     }
 
     /// Adds the values that events set before a cycle, and the first steps that read them. A value that the program has replaced in
-    /// the same cycle is not added. A message shows a value, but nothing follows from it.
+    /// the same cycle is not added. A message that shows a value does not count as a read.
     fn note_changes(&mut self, cycle: u64, run: &Run) {
         let Recording {
             events,
@@ -509,7 +509,7 @@ impl Recorder {
         }
         let collides = frame.gap.filter(|gap| gap.distance < 0.0);
         let collision = Occurrence::Collision(collides.map(|gap| gap.parts));
-        // A robot that has not collided has no end of a collision.
+        // The end of a collision is noted only after its beginning.
         if collides.is_some() || self.states.contains_key(&collision.key()) {
             self.note_state(cycle, collision);
         }

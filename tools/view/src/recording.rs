@@ -103,7 +103,7 @@ pub enum Occurrence {
         /// The kind. A trace lacks it.
         kind: Option<FallKind>,
     },
-    /// These two parts of the robot overlapped; none where that was over.
+    /// These two parts of the robot overlapped; `None` where no parts did any more.
     Collision(Option<[Part; 2]>),
     /// A foot that stood had slipped by more than 5 mm, for the first time in this stance.
     Slip {

@@ -1,5 +1,5 @@
-//! The programs on a Cortex-M4: their traces go to the debugger's standard output, what they cost in
-//! memory, and the cycles of a gait in time, to its standard error.
+//! Runs the programs on a Cortex-M4. Their traces go to the debugger's standard output; their bytes of
+//! memory, and the time that a cycle of a gait takes, go to its standard error.
 #![no_std]
 #![no_main]
 

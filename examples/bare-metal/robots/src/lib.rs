@@ -38,7 +38,7 @@ pub type Hexapod = Machine<Tripod, SimulatedPlant<6, 3>, 6, 3>;
 
 // Functions of their own, so that the plant and the program that they move leave the stack before the motion begins.
 
-/// TITAN VIII before its first control cycle.
+/// Returns TITAN VIII before its first control cycle.
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
@@ -48,7 +48,7 @@ pub fn walker() -> Result<Walker, Mismatch> {
     Machine::new(Walk::new(), &titan8::MODEL, plant)
 }
 
-/// TITAN VIII with mass before its first control cycle.
+/// Returns TITAN VIII with mass before its first control cycle.
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
@@ -58,7 +58,7 @@ pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
     Machine::new(Walk::new(), &titan8::MODEL, plant)
 }
 
-/// TITAN VIII with threads before its first control cycle.
+/// Returns TITAN VIII with threads before its first control cycle.
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
@@ -68,7 +68,7 @@ pub fn threaded() -> Result<Threaded, Mismatch> {
     Machine::new(Threads::new(), &titan8::MODEL, plant)
 }
 
-/// The hand before its first control cycle, above an upright cylinder as that of the example `grasp`.
+/// Returns the hand before its first control cycle, above an upright cylinder as that of the example `grasp`.
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
@@ -92,7 +92,7 @@ pub fn hand() -> Result<Hand, Mismatch> {
     Ok(machine.with_special(HandSpecials::new()))
 }
 
-/// PhantomX before its first control cycle.
+/// Returns PhantomX before its first control cycle.
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
@@ -105,10 +105,10 @@ pub fn hexapod() -> Result<Hexapod, Mismatch> {
 /// Cycles of the walk with mass on slow machines: it stands up and swings its first legs.
 const SLICE: u64 = 250;
 
-/// Cycles of a gait whose trace is written: it begins to walk. Each has about eighty steps.
+/// Number of traced cycles of a gait, in which it begins to walk. Each cycle has more than seventy steps.
 const BEGINNING: u64 = 60;
 
-/// Runs the first cycles of a gait as [`begin`] does. The key W is pressed before: it walks ahead.
+/// Runs the first cycles of a gait as [`begin`] does, after the key W, which makes it walk ahead.
 pub fn steer<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     robot: &mut Machine<P, H, L, J, (), S>,
     out: &mut impl Write,
@@ -117,7 +117,7 @@ pub fn steer<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J:
     begin_for(BEGINNING, robot, out)
 }
 
-/// Runs the first cycles of a program, with a line in the trace for each step. Whether it goes on then, and all
+/// Runs the first cycles of a program, with a line in the trace for each step. Returns true if it goes on then, and all
 /// of the trace was written.
 pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     robot: &mut Machine<P, H, L, J, (), S>,

@@ -20,7 +20,7 @@ impl Write for Host {
     }
 }
 
-/// Writes the traces. 1 if all programs ended themselves, and the walk with mass and the tripod went on, else 0.
+/// Writes the traces. Returns 1 if all programs ended themselves, and the walk with mass and the tripod went on, else 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn run() -> u32 {
     let steered = robots::hexapod().is_ok_and(|mut robot| robots::steer(&mut robot, &mut Host));

@@ -36,7 +36,7 @@ use tipc::message::list::List;
 #[command(after_long_help = "Examples:
   tip drives record robot.toml -o wave.prg                 pose by pose
   tip drives record robot.toml -o wave.prg --continuous    a motion as it is made
-  tip drives record robot.toml -o walk.prg --at end        more poses of a program
+  tip drives record robot.toml -o walk.prg --at end        poses added to a program
 
 The torque is off, from the first RETURN on: hold the robot. SPACE adds the pose in which it is, m its
 mirror image; < and > choose a pose, n names it, d deletes it; q, ESC, Ctrl-C and a fault end and write
@@ -62,7 +62,8 @@ pub(crate) struct Record {
 
     /// Add to an existing program, before a line or its END
     ///
-    /// All other lines stay. The program is written only if it is one with the new lines; else they are printed
+    /// All other lines stay. The program is written only if it has no errors with the new lines; else these
+    /// are printed
     #[arg(long, value_name = "LINE|end", value_parser = Place::parse, conflicts_with = "force")]
     at: Option<Place>,
 
@@ -278,7 +279,7 @@ fn limits(connection: &Connection, robot: &Robot) -> Limits {
     }
 }
 
-/// The end of a lesson, and the status of the command if the robot was stopped.
+/// The end of a lesson, with the status of the command if the robot was stopped.
 struct Ended(Option<Status>);
 
 /// Bytes of keys that delete a character.
@@ -298,9 +299,9 @@ struct Recording<'a> {
     poses: Vec<Pose>,
     /// The place of the chosen pose.
     chosen: usize,
-    /// What was typed of its new name.
+    /// The part of its new name that was typed; `None` while no name is asked for.
     naming: Option<String>,
-    /// Time in which the robot had torque, ms. It belongs to no way between poses.
+    /// Time in which the robot had torque, ms. It does not count as time between two poses.
     moved: f64,
     /// Time from which on answers belong to the next sample of a motion, µs; `None` while none is recorded.
     sampled: Option<u64>,
@@ -624,7 +625,7 @@ impl<'a> Recording<'a> {
             let asked = Driving::PoseNameAsked {
                 number: self.chosen + 1,
             };
-            // A shorter name hides the longer one before.
+            // The blanks overwrite the end of a longer name that was shown before.
             let width = names::LIMIT + 1;
             return format!("{}: {name:width$}", asked.in_lang(self.lang));
         }

@@ -201,12 +201,12 @@ impl Host<AnyPort> for Attended {
     }
 }
 
-/// The end of a robot that was left.
+/// The result of leaving a robot.
 #[derive(Debug)]
 pub(crate) struct Finished {
     /// True if the emergency stop was pressed meanwhile.
     pub(crate) is_stopped: bool,
-    /// Lines about the servos that are in another state than they were to be; empty if there are none.
+    /// Lines about the servos that are not in the state in which they should have been left; empty if there are none.
     pub(crate) complaint: String,
 }
 

@@ -140,7 +140,7 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
 pub(super) fn relax(connection: &Connection, lang: Lang) -> Result<(), Error> {
     let mut robot = connection.robot();
     let drives = robot.drives_mut();
-    // Those that hold are not expected to hold any more. Each confirms it below.
+    // The drives do not expect the servos to hold any more. Each servo confirms below that its torque is off.
     let _ = drives.release();
     for place in 0..connection.setup.joints.len() {
         let mut tries = (0..READINGS).map(|_| drives.relax(place));

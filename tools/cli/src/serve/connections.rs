@@ -34,7 +34,7 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Pause while there are too many threads.
 const STEP: Duration = Duration::from_millis(1);
 
-/// What is served to those who have the token.
+/// The content that those who have the token are served.
 pub(super) enum Content {
     /// A page with a live run.
     Run(HubSender),
@@ -46,7 +46,7 @@ pub(super) enum Content {
 pub(super) struct Table {
     file: PathBuf,
     lang: Lang,
-    /// One run is simulated at a time, however many are asked for.
+    /// Locked during a simulation, so that one run is simulated at a time.
     simulates: Mutex<()>,
 }
 
@@ -618,7 +618,7 @@ impl Socket<'_> {
     }
 }
 
-/// Returns true if nothing has arrived yet. A process that was suspended is interrupted where it waits with a time-out.
+/// Returns true if nothing has arrived yet. When a suspended process goes on, a call that waits with a time-out is interrupted.
 fn is_timeout(error: &io::Error) -> bool {
     matches!(
         error.kind(),
@@ -626,7 +626,7 @@ fn is_timeout(error: &io::Error) -> bool {
     )
 }
 
-/// Lets a process that was suspended while it wrote go on: the library keeps what is not written yet.
+/// Ignores an interruption by a suspension of the process: the library keeps the bytes that are not written yet.
 fn unless_interrupted(written: Result<(), Error>) -> Result<(), End> {
     match written {
         Err(Error::Io(error)) if error.kind() == io::ErrorKind::Interrupted => Ok(()),

@@ -86,12 +86,12 @@ fn the_runs_of_a_table_open_from_its_page() {
             "{target}: {reply:.100}"
         );
     }
-    // It is read again for each request.
+    // The table is read again for each request.
     std::fs::write(folder.path("runs.csv"), "a,b\n").expect("it is a file");
     let reply = server.get(&server.target("/case/1"), &[]);
     assert!(reply.starts_with("HTTP/1.1 500 "), "{reply:.100}");
     assert_eq!(server.end(), Some(130));
-    // Nothing of it is a program.
+    // A file without the columns of a table, a table with hardware, and a table that does not exist are refused.
     folder.tip(&["serve", "runs.csv"]).expect(1);
     folder
         .tip(&["serve", "runs.csv", "--hardware", "robot.toml"])
@@ -223,7 +223,7 @@ fn a_viewer_that_takes_nothing_holds_up_nobody() {
     viewer.does(json!({"do": "pause"}));
 }
 
-/// A page that drives would lose its robot with its connection.
+/// A page that drives a robot would stop driving it if it lost its connection.
 #[test]
 fn a_server_that_is_suspended_for_a_moment_keeps_its_viewers() {
     let server = Server::begin(&counts("serve-suspended"), &["counts.prg"]);

@@ -20,7 +20,7 @@ use tip_sim::{Joints, Limit, Robot, Run};
 /// Time of random sticks, s. `STEERED_SECONDS` sets another one.
 const SECONDS: f64 = 4.0;
 
-/// A port that remembers the bytes of the master, and the times at which they have been sent, µs.
+/// A port that records the bytes of the master, and the times at which they have been sent, µs.
 struct Wiretap {
     port: MemoryPort,
     sent: Vec<(u64, Vec<u8>)>,
@@ -109,7 +109,7 @@ impl Joints for Timed {
     }
 }
 
-/// What a maker's manual says of a servo.
+/// Data of a servo from its maker's manual.
 struct Manual {
     /// Address of the byte that switches the torque on.
     torque: usize,
@@ -147,7 +147,7 @@ struct Goals {
 }
 
 /// Reads what a master has sent as frames of Dynamixel protocol 1: FF FF, identity, length, instruction, parameters, and a checksum
-/// that makes the sum of all after the header 255. Returns the frames with goals, and the number of servos whose torque is on at last.
+/// that makes the sum of all after the header 255. Returns the frames with goals, and the number of servos whose torque is on at the end.
 fn decode(sent: &[(u64, Vec<u8>)], manual: &Manual) -> (Vec<Goals>, usize) {
     let (mut goals, mut torque) = (Vec::new(), BTreeMap::new());
     for (time, bytes) in sent {
@@ -197,7 +197,7 @@ fn decode(sent: &[(u64, Vec<u8>)], manual: &Manual) -> (Vec<Goals>, usize) {
 }
 
 /// Returns events for a control cycle in ms: a third of the time a stick rests, a third it is at an end, a third anywhere; now and then
-/// all are let go. Then a halt is requested.
+/// all sticks are let go. At the end a halt is requested.
 fn sticks(cycle: f64, seconds: f64, seed: u64) -> String {
     let mut random = Random::new(seed);
     let mut text = String::from("0:VR1=5, 0:VR2=5, 0:VR3=5");
@@ -234,8 +234,8 @@ fn a_trot_keeps_limits_speeds_and_cycles_on_the_wire_whatever_the_sticks_do() {
 }
 
 /// Every cycle sends one frame of goals to all servos, none is beyond the limits of the description or farther from the last one than
-/// its servo turns, and the servos are left as the description says. A gait that `tip new` derives for the servos wants more of them
-/// in one of 10,000 commands at most, an example in one of 1000.
+/// its servo turns, and the servos are left as the description says. Of a gait that `tip new` derives for the servos at most one of
+/// 10,000 commands is slowed down, of an example at most one of 1000.
 fn derived_and_example_walk_on_servos(robot: &str, example: &str, manual: &Manual) {
     let seconds = env::var("STEERED_SECONDS").ok();
     let seconds = seconds.map_or(SECONDS, |text| text.parse().expect("a number"));

@@ -581,7 +581,7 @@ fn poses_are_chosen_named_and_deleted() {
     lesson.press(b'<', "pose 2 is chosen: POSE2\n");
     lesson.types("nwavf");
     lesson.says("name of pose 2: WAVF ");
-    // It takes back a letter.
+    // The key deletes a letter.
     lesson.types("\x7fe_out\n");
     lesson.says("pose 2 is chosen: WAVE_OUT\n");
     lesson.press(b'>', "pose 3 is chosen: POSE3\n");
@@ -611,8 +611,8 @@ fn poses_are_chosen_named_and_deleted() {
     folder.tip(&check).expect(0);
 }
 
-/// The robot goes to a pose with `start` deg/s at most, holds it, and is limp after the key. What it holds on the way is no time of a
-/// lesson: with it, the way to the next pose would be slower than `start`.
+/// The robot goes to a pose with `start` deg/s at most, holds it, and has no torque after the key. The time with torque does not count:
+/// with it, the way to the next pose would be slower than `start`.
 #[test]
 fn the_robot_goes_to_poses_with_torque_and_is_limp_after_a_key() {
     for at_end in ["hold", "relax"] {
@@ -687,7 +687,7 @@ fn the_way_to_a_pose_is_stopped_as_a_run_is() {
     }
 }
 
-/// Nothing of the program is lost but the place of the new lines: a mark, DOS lines, a text in Shift_JIS, and what follows END stay.
+/// Every byte of the program stays around the new lines: line ends of DOS, a text in Shift_JIS, and what follows END.
 #[test]
 fn poses_are_added_to_a_program_that_exists() {
     let robot = leg("hold", "hold", "start = 90");
@@ -700,7 +700,7 @@ fn poses_are_added_to_a_program_that_exists() {
     let mut lesson = Lesson::begin(&folder, &bus, &["-o", "walk.prg", "--at", "6"]);
     turn_to(&mut bus, &robot, &[30.0, 20.0, -10.0]);
     lesson.press(b' ', "pose 1 is added\n");
-    // The program has this word, and the pose another one.
+    // The program has variables of this name, so that the pose gets another one.
     lesson.types("npose1\n");
     lesson.says("`POSE1` cannot name a pose");
     lesson.pty.press(b'q');

@@ -524,7 +524,7 @@ fn circles_of_threads_are_found_where_the_main_program_does_not_wait() -> Outcom
     Ok(())
 }
 
-/// A robot without a body cannot be pushed, whatever simulates it: nothing recommends the plant that it has.
+/// A robot that is bolted down cannot be pushed in any plant, so that the error does not recommend another one.
 #[test]
 fn nothing_pushes_a_robot_that_is_bolted_down() -> Outcome {
     for plant in [Plant::Simulated, Plant::Dynamic, Plant::Echo] {

@@ -74,7 +74,7 @@ pub struct ServoState {
     pub temperature: Option<f64>,
     /// Cycles since its last answer.
     pub age: u32,
-    /// Answers that were missing or damaged.
+    /// Number of answers that were missing or damaged.
     pub missing: u64,
 }
 

@@ -1,4 +1,4 @@
-//! A program that exists, into which what was taught is inserted. Every other byte of it stays.
+//! Inserts a taught motion into a program that exists. Every other byte of the program stays.
 
 use crate::choices::OutputOptions;
 use crate::error::Error;
@@ -40,7 +40,7 @@ const FIRST: u32 = 3;
 #[derive(Debug)]
 pub(super) struct Existing {
     loaded: Loaded,
-    /// The line before which is inserted, from 1.
+    /// The line before which the motion is inserted, from 1.
     line: u32,
     words: HashSet<String>,
 }
@@ -86,7 +86,7 @@ impl Existing {
         })
     }
 
-    /// Returns what was read from its file.
+    /// Returns the bytes that were read from its file.
     pub(super) fn bytes(&self) -> Vec<u8> {
         self.loaded.source.bytes()
     }
@@ -109,7 +109,7 @@ impl Existing {
         let line_end = lines.map(|line| source.slice(line.end)).next();
         let line_end = line_end.filter(|end| !end.is_empty()).unwrap_or("\n");
         let mut block = String::new();
-        // Its last line is its end.
+        // The last line of the other program is its END.
         let statements = other
             .trim_end()
             .rsplit_once('\n')

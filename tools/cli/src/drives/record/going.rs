@@ -1,4 +1,4 @@
-//! The way of a robot into poses that were taught: slowly, with torque, and limp again after a key.
+//! Moves a robot to poses that were taught, slowly and with torque, and switches the torque off after a key.
 
 use crate::Status;
 use crate::drives::robot::Connection;
@@ -13,7 +13,7 @@ use tipc::message::Lang;
 /// The key that switches the torque off.
 const RELEASE: u8 = b'r';
 
-/// The state of a robot after its way.
+/// The state of a robot after it has gone to its poses.
 #[derive(Debug)]
 pub(super) enum Gone {
     /// It has no torque.

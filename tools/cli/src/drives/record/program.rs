@@ -121,7 +121,8 @@ impl Limits {
         }
     }
 
-    /// Returns a program that sets what it has changed as it is at the start of a program, for the lines that are to follow.
+    /// Returns a program that sets the parameters that it has changed back to their values at the start of a program, for the lines
+    /// that are to follow.
     pub(super) fn with_standards(&self, text: &str) -> String {
         let speed = self.standards.omega_max;
         format!(

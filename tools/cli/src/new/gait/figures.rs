@@ -144,7 +144,8 @@ impl Figures {
             let [least, most] = RANDOM_TIME;
             trial.walk(random.within(least, most))?;
         }
-        // Simulated servos show what it costs to be slowed down; slower ones are not simulated.
+        // A trial slows commands down to the speed of simulated servos, and its figures show the effect. Slower servos are not
+        // simulated, so that the commands are compared with their speed.
         if plan.servos < ServoDynamics::default().speed && trial.commanded > plan.servos {
             return Err(Making::TooSlow { speed: plan.servos });
         }
@@ -169,7 +170,7 @@ struct Trial {
     angles: Vec<f64>,
     /// Commands of the cycle before.
     commands: Vec<JointCommand>,
-    /// The speed of the fastest commands, deg/s.
+    /// Largest speed of a command, deg/s.
     commanded: f64,
     figures: Figures,
 }

@@ -13,11 +13,11 @@ use tip_sim::RobotDescription;
 
 /// Share of the servos' speed that a stride uses; when sticks move, it takes up to a fifth more.
 const SPEED_SHARE: f64 = 0.8;
-/// Much of a trot's speed lifts the feet, whatever the sticks do.
+/// Share of it in a trot, where lifting the feet takes much of a joint's speed, whatever the sticks do.
 const TROT_SPEED_SHARE: f64 = 0.9;
-/// Largest speed of a joint in a trot, deg/s: the rest of what simulated servos turn keeps the balance.
+/// Largest speed of a joint in a trot, deg/s. Simulated servos turn faster, and keep the balance with the rest.
 const TROT_SPEED: f64 = 270.0;
-/// A crawl leaves some of it to the body's leaning.
+/// Share of it in a crawl, which leaves the rest to the body's leaning.
 const CRAWL_SPEED_SHARE: f64 = 0.6;
 /// Least speed of a gait, mm/s.
 const SLOWEST: f64 = 5.0;

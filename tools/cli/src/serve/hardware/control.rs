@@ -108,7 +108,7 @@ pub(super) struct Control {
     stage: Stage,
     /// The time of the next report of all servos.
     due: Instant,
-    /// Time on the bus, µs, and commanded cycles until the last report.
+    /// Time on the bus, µs, and number of commanded cycles until the last report.
     reported: (u64, u64),
     /// The file of the trace.
     trace: Option<PathBuf>,
@@ -181,7 +181,7 @@ impl Control {
             if self.controls.is_stopped() {
                 self.controls.reset();
             }
-            // Keys that start nothing wait for no program.
+            // Keys other than the one that starts are discarded: the program must not read them later.
             while self.connection.key().is_some() {}
             let is_typed = is_terminal && self.connection.request() == Some(Request::EmergencyStop);
             let now = self.controls.now();
@@ -255,7 +255,7 @@ impl Control {
         };
         let now = self.controls.now();
         self.controls.driver().begin(now);
-        // Nothing is opened any more while the torque is on.
+        // The file is opened before the torque is on, so that no control cycle waits for it.
         let opened = self
             .trace
             .as_deref()

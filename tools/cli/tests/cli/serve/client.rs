@@ -112,7 +112,7 @@ impl Server {
         Socket::new(socket.expect("it may come in"))
     }
 
-    /// Suspends it, and lets it go on.
+    /// Suspends the process, and lets it go on.
     pub(super) fn suspend(&self) {
         let pid = Pid::from_child(&self.child);
         kill_process(pid, Signal::STOP).expect("it runs");
