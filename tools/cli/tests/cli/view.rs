@@ -1,6 +1,8 @@
 //! `tip view`.
 
 use crate::support::Folder;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 
 const WAVE: &str = "MESSAGE hello\nPTP_ANGLE J11 10\nWAIT_INPOS ALL\nEND";
 
@@ -68,6 +70,14 @@ pub(crate) fn data<'a>(page: &'a str, id: &str) -> &'a str {
     rest.split('<').next().expect("text")
 }
 
+/// Returns the lines of a recording that is packed for a page.
+fn lines(packed: &str) -> Vec<String> {
+    let bytes = STANDARD.decode(packed).expect("base64");
+    let bytes = miniz_oxide::inflate::decompress_to_vec(&bytes).expect("deflated");
+    let text = String::from_utf8(bytes).expect("UTF-8");
+    text.split('\n').map(str::to_owned).collect()
+}
+
 #[test]
 fn two_runs_are_compared_on_one_page() {
     let folder = Folder::new("view-two")
@@ -105,7 +115,10 @@ fn two_runs_are_compared_on_one_page() {
             .expect(0);
         let page = folder.read("two.html");
         assert_eq!(data(&page, "recording"), alone(one), "{ends:?}");
-        assert_eq!(data(&page, "compared"), alone(other), "{ends:?}");
+        // The difference of the programs follows the other run.
+        let compared = lines(data(&page, "compared"));
+        assert_eq!(compared[..3], lines(&alone(other)), "{ends:?}");
+        assert!(compared[3].contains("-PTP_ANGLE J11 10"), "{ends:?}");
         assert_ne!(alone(one), alone(other), "{ends:?}");
     }
     // A page of both has its own name, and does not take the place of one of the first run.
