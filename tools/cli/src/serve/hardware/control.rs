@@ -253,8 +253,6 @@ impl Control {
             (Err(failure), _) => return self.refuse(self.connection.explain(failure)),
             (_, Err(reason)) => return self.refuse(reason),
         };
-        let now = self.controls.now();
-        self.controls.driver().begin(now);
         // The file is opened before the torque is on, so that no control cycle waits for it.
         let opened = self
             .trace
@@ -264,6 +262,8 @@ impl Control {
             Ok(trace) => trace,
             Err(error) => return self.refuse(error.text(self.lang)),
         };
+        let now = self.controls.now();
+        self.controls.driver().begin(now);
         self.enter(Phase::Approach);
         self.connection.take_over(true);
         match self.approach(starter) {
