@@ -230,6 +230,12 @@ impl Record {
                 output::print(&text)?;
                 (Ok(()), false)
             }
+            // Somebody has written the file meanwhile.
+            Destination::New(Some(_)) if self.out.exists() && !self.force => {
+                let file = output::name(&self.out).into();
+                let taken = Driving::RecordTaken { file };
+                (Err(Error::failed(taken, self.robot.lang())), true)
+            }
             Destination::New(Some(mut file)) => {
                 let written = file.write_all(&text).and_then(|()| file.commit());
                 (

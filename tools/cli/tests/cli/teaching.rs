@@ -634,7 +634,7 @@ fn the_robot_goes_to_poses_with_torque_and_is_limp_after_a_key() {
                 assert!((now - goal).abs() < 0.5, "{now} for {goal}");
             }
             // Other keys move and add nothing meanwhile.
-            lesson.types(" dq");
+            lesson.types(" d");
             lesson.press(b'r', "the joints are free\n");
             assert!(bus.stiff().is_empty(), "{at_end}");
         }
@@ -647,6 +647,38 @@ fn the_robot_goes_to_poses_with_torque_and_is_limp_after_a_key() {
                 .starts_with("3.2\nTaught by hand: 2 poses\n")
         );
     }
+}
+
+/// While the robot holds a pose, `q` ends the lesson as ESC does: the robot is left as at an end.
+#[test]
+fn a_lesson_ends_while_the_robot_holds() {
+    for (at_end, left) in [("hold", &[1, 2, 3][..]), ("relax", &[])] {
+        let robot = leg(at_end, "hold", "start = 90");
+        let folder = Folder::new(&format!("record-holds-{at_end}")).file("robot.toml", &robot);
+        let mut bus = ServoBus::of(&robot, 0.0);
+        let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
+        lesson.press(b' ', "pose 1 is added\n");
+        lesson.press(b'g', "r switches the torque off\n");
+        lesson.pty.press(b'q');
+        lesson.ends().expect(0);
+        assert_eq!(bus.stiff(), left, "{at_end}");
+        assert!(folder.has("wave.prg"), "{at_end}");
+    }
+}
+
+/// A file that appears during a lesson is not replaced, and what was taught is printed.
+#[test]
+fn a_file_that_appears_during_a_lesson_stays() {
+    let robot = leg("hold", "hold", "");
+    let folder = Folder::new("record-appears").file("robot.toml", &robot);
+    let bus = ServoBus::of(&robot, 0.0);
+    let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
+    lesson.press(b' ', "pose 1 is added\n");
+    let folder = folder.file("wave.prg", "mine");
+    lesson.pty.press(b'q');
+    let outcome = lesson.ends().expect(1);
+    assert_eq!(folder.read("wave.prg"), "mine");
+    assert!(outcome.out.contains("DEF_JOINT POSE1_F1"), "{outcome:#?}");
 }
 
 /// On the way RETURN is the emergency stop, ESC and signals are the ordered end; the servos have the state of each, and the program is

@@ -13,6 +13,9 @@ use tipc::message::Lang;
 /// The key that switches the torque off.
 const RELEASE: u8 = b'r';
 
+/// The key that ends the lesson.
+const END: u8 = b'q';
+
 /// The state of a robot after it has gone to its poses.
 #[derive(Debug)]
 pub(super) enum Gone {
@@ -34,7 +37,8 @@ pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Res
         return Ok(Gone::Limp);
     }
     connection.take_over(true);
-    let step = through(connection, poses, lang);
+    let mut ends = false;
+    let step = through(connection, poses, &mut ends, lang);
     if let Err(failure) = step
         && !connection.robot().has_torque()
         && !connection.robot().is_stopped()
@@ -53,12 +57,20 @@ pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Res
     if connection.finish().is_stopped {
         return Ok(Gone::Left(Some(Status::Emergency)));
     }
+    if ends {
+        return Ok(Gone::Left(None));
+    }
     relax(connection, lang)?;
     Ok(Gone::Limp)
 }
 
-/// Switches the torque on, moves the robot, and holds it until the key.
-fn through(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Result<Step, Failure> {
+/// Switches the torque on, moves the robot, and holds it until a key releases it or `ends` the lesson.
+fn through(
+    connection: &Connection,
+    poses: &[Vec<f64>],
+    ends: &mut bool,
+    lang: Lang,
+) -> Result<Step, Failure> {
     let speed = connection.setup.bus.start;
     report::say(Driving::PoseGoes { speed }, lang);
     let mut step = connection.robot().hold()?;
@@ -73,7 +85,12 @@ fn through(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Result<St
     // A key that was typed on the way does not release the robot.
     while connection.key().is_some() {}
     report::say(Driving::PoseReached, lang);
-    while !matches!(step, Step::Left(_)) && connection.key() != Some(RELEASE) {
+    while !matches!(step, Step::Left(_)) {
+        let key = connection.key();
+        *ends = key == Some(END);
+        if *ends || key == Some(RELEASE) {
+            break;
+        }
         step = connection.robot().step(last, speed)?;
     }
     Ok(step)
