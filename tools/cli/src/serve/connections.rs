@@ -618,7 +618,8 @@ impl Socket<'_> {
     }
 }
 
-/// Returns true if nothing has arrived yet. When a suspended process goes on, a call that waits with a time-out is interrupted.
+/// Returns true if an error only says that nothing has arrived yet. A read with a time-out is also interrupted when a suspended
+/// process continues.
 fn is_timeout(error: &io::Error) -> bool {
     matches!(
         error.kind(),

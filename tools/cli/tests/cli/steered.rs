@@ -136,7 +136,7 @@ const STS3215: Manual = Manual {
     middle: 2048.0,
 };
 
-/// A frame to all servos at once that sets goals.
+/// A broadcast frame that sets the goals of all servos.
 struct Goals {
     /// Time at which it has been sent, µs.
     time: u64,
