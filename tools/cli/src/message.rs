@@ -1276,7 +1276,7 @@ tipc::message_table! {
         "the robot was left, because this command was stuck",
         "コマンドが停止したままだったため、ロボットの制御を終えました";
     Collides { one: Part, other: Part }
-        "{one} and {other} would overlap: the command was not sent. Parts that may touch are listed in `may_touch`; with `collisions = \"warn\"` in [bus] the robot goes on",
+        "{one} and {other} would overlap: the command was not sent. List parts that may touch in `may_touch`. To warn and go on, set `collisions = \"warn\"` in [bus]",
         "{one}と{other}が重なるため、指令を送信しませんでした。触れてもよい部分は `may_touch` に書きます。[bus]の `collisions = \"warn\"` なら警告だけで続けます";
     NoTorques { joint: String }
         "{joint} is commanded a torque, and position servos take angles only",

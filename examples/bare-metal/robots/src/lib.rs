@@ -117,7 +117,7 @@ pub fn steer<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J:
     begin_for(BEGINNING, robot, out)
 }
 
-/// Runs the first cycles of a program, with a line in the trace for each step. Returns true if it goes on then, and all
+/// Runs the first cycles of a program and writes one line of the trace for each step. Returns true if the program has not ended and all
 /// of the trace was written.
 pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     robot: &mut Machine<P, H, L, J, (), S>,
