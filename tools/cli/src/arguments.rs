@@ -158,6 +158,25 @@ pub(super) struct RunArguments {
 }
 
 impl RunArguments {
+    /// Returns the first option that was given and that the table of a sweep fixes; `tip.toml` must not have completed the options yet.
+    pub(super) fn fixed_by_table(&self) -> Option<&'static str> {
+        let RunArguments { source, inputs, .. } = self;
+        let given = [
+            ("--robot", source.robot.is_some()),
+            ("--tip-version", source.tip_version.is_some()),
+            ("--encoding", source.encoding.is_some()),
+            ("--cycles", inputs.cycles.is_some()),
+            ("--keys", inputs.keys.is_some()),
+            ("--halt", inputs.halt.is_some()),
+            ("--sensor", !inputs.sensors.is_empty()),
+            ("--events", inputs.events.is_some()),
+            ("--scene", inputs.scene.is_some()),
+            ("--plant", inputs.plant.is_some()),
+        ];
+        let mut given = given.into_iter().filter(|(_, is_given)| *is_given);
+        given.next().map(|(option, _)| option)
+    }
+
     /// Returns the files that are read.
     pub(super) fn files(&self) -> Vec<&Path> {
         let scene = self.inputs.scene.as_ref().and_then(SceneChoice::file);

@@ -4,7 +4,7 @@ use crate::arguments::RunArguments;
 use crate::choices::Format;
 use crate::error::Error;
 use crate::message::{Comparing, Using};
-use crate::record::Reading;
+use crate::record::{Reading, tell_apart};
 use crate::report::fixed;
 use crate::run::SummaryFormat;
 use crate::{Action, Status, output, report};
@@ -85,10 +85,10 @@ impl Compare {
 fn compare(arguments: &Compare) -> Result<Status, Error> {
     let lang = arguments.run.source.output_options.lang();
     let reading = arguments.reading();
-    let runs = [
-        reading.recording(&arguments.run.file)?,
-        reading.recording(&arguments.other)?,
-    ];
+    let files = [&*arguments.run.file, &*arguments.other];
+    let mut runs = [reading.recording(files[0])?, reading.recording(files[1])?];
+    let [one, other] = &mut runs;
+    tell_apart([(one, files[0]), (other, files[1])]);
     if runs.iter().any(|run| run.outcome == Outcome::Interrupted)
         && crate::interrupt::is_requested()
     {

@@ -213,9 +213,12 @@ tipc::message_table! {
     ServeRuns
         "anyone with this address can see the table and replay its runs",
         "このアドレスを知る人は誰でも、表の閲覧と実行の再生ができます";
-    ServeTable
-        "a table is not run on hardware: leave out --hardware",
-        "表は実機では実行できません。--hardware を外してください";
+    TableFixes { option: String }
+        "a table names its program, robot and inputs itself: leave out {option}",
+        "表にはプログラム、ロボット、入力が含まれています。{option} を外してください";
+    IsSpecification { table: Text }
+        "this is what `tip sweep` writes next to its table: give the table {table}",
+        "これは `tip sweep` が表のそばに書くファイルです。表 {table} を指定してください";
     ServeDrives
         "anyone with this address and a way to this machine can drive the robot, stop it, and run other programs on it; what they send is not encrypted: use a network of your own",
         "このアドレスを知り、このマシンに接続できる人は誰でも、ロボットの操縦・停止と別のプログラムの実行ができます。通信は暗号化されません。自分のネットワークで使ってください";
@@ -499,11 +502,11 @@ tipc::message_table! {
         "{file}: {runs} runs, {size} kB",
         "{file}: {runs}回の実行、{size} kB";
     NoTable { file: Text }
-        "{file} is not the table of its specification: its first line has other columns",
-        "{file} は仕様に対応する表ではありません。先頭の行の列が違います";
+        "{file} is not the table of its specification: its first line has other columns, or is cut off",
+        "{file} は仕様に対応する表ではありません。先頭の行の列が違うか、行が途中で切れています";
     OtherRow { file: Text, line: String, specification: Text }
-        "line {line} of {file} is not a row of the sweep in {specification}: it was changed, or is of another sweep or version of tip; run the sweep again",
-        "{file} の{line}行目は {specification} のスイープの行ではありません。変更されたか、別のスイープまたは別のバージョンのtipのものです。スイープを実行し直してください";
+        "line {line} of {file} is not a row of the sweep in {specification}: it was changed, cut off or doubled, or is of another sweep or version of tip; run the sweep again",
+        "{file} の{line}行目は {specification} のスイープの行ではありません。変更、途中での切断、重複があるか、別のスイープまたは別のバージョンのtipのものです。スイープを実行し直してください";
 }
 
 tipc::message_table! {
@@ -718,6 +721,9 @@ tipc::message_table! {
     DependsOnPublished { version: String }
         "Cargo.toml depends on the published crates of version {version}",
         "Cargo.tomlの依存先は公開されているバージョン{version}のクレートです";
+    OwnDrives { robot: String }
+        "there is no bus of servos for {robot}: fill in src/hardware.rs for its drives",
+        "{robot}用のサーボのバスはありません。駆動部に合わせてsrc/hardware.rsを実装してください";
     Next
         "next:",
         "次のコマンド:";

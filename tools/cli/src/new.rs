@@ -125,7 +125,7 @@ fn new(arguments: &New) -> Result<Status, Error> {
     });
     let files = files::crate_files(place, &template, &origin, hardware);
     files::write_crate(place, &files).map_err(failed)?;
-    output::print(made(place, &template, &files, &origin, lang))?;
+    output::print(made(place, &template, &files, &origin, hardware, lang))?;
     Ok(Status::Success)
 }
 
@@ -135,13 +135,14 @@ fn made(
     template: &Template,
     files: &[File],
     origin: &Origin,
+    hardware: Option<Drives>,
     lang: Lang,
 ) -> String {
     let folder = Printable::line(place.folder().display()).to_string();
     let robot = Printable::line(&template.robot).to_string();
     let made = Making::Made {
         folder: folder.clone().into(),
-        robot,
+        robot: robot.clone(),
     };
     let mut text = format!("{}\n", made.in_lang(lang));
     for file in files {
@@ -149,6 +150,9 @@ fn made(
         let _ = writeln!(text, "  {}", file.name);
     }
     let _ = writeln!(text, "{}", origin.message().in_lang(lang));
+    if hardware == Some(Drives::Own) {
+        let _ = writeln!(text, "{}", Making::OwnDrives { robot }.in_lang(lang));
+    }
     for tried in &template.motion.tried {
         let _ = writeln!(text, "{}", tried.in_lang(lang));
     }

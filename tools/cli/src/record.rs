@@ -164,6 +164,10 @@ pub(super) struct View {
 
 impl Action for View {
     fn complete(&mut self) -> Result<(), Error> {
+        // A table names its program and robot itself.
+        if sweep::is_table(&self.run.file) {
+            return Ok(());
+        }
         let program = self.program(&self.run.file);
         self.run.complete(&program).map(drop)
     }
@@ -176,7 +180,8 @@ impl Action for View {
 /// Records a run, or reads the trace of one, and writes the page that replays it.
 fn view(arguments: &View) -> Result<Status, Error> {
     let run = &arguments.run;
-    if sweep::is_table(&run.file) {
+    let own = arguments.program.as_ref().map(|_| "--program");
+    if sweep::is_table_of(run, own)? {
         return arguments.table();
     }
     if arguments.case.is_some() {
@@ -188,9 +193,12 @@ fn view(arguments: &View) -> Result<Status, Error> {
     read.extend(arguments.other.as_deref());
     output::refuse_inputs(&out, &read)?;
     let reading = arguments.reading();
-    let recording = reading.recording(&run.file)?;
+    let mut recording = reading.recording(&run.file)?;
     let other = arguments.other.as_ref();
-    let other = other.map(|other| reading.recording(other)).transpose()?;
+    let mut other = other.map(|other| reading.recording(other)).transpose()?;
+    if let Some((other, file)) = other.as_mut().zip(arguments.other.as_deref()) {
+        tell_apart([(&mut recording, &run.file), (other, file)]);
+    }
     for trace in [Some(&recording), other.as_ref()].into_iter().flatten() {
         if trace.outcome == Outcome::Unknown && !arguments.quiet {
             let (file, cycle) = (trace.script.name.clone(), trace.cycles.to_string());
@@ -361,6 +369,15 @@ impl Reading<'_> {
         let read = read.map_err(|reason| failed(&reason.in_lang(self.lang())))?;
         let text = String::from_utf8(read).map_err(|error| failed(&error))?;
         Ok((name, text))
+    }
+}
+
+/// Names two runs by the paths of their files if the names are equal.
+pub(super) fn tell_apart(runs: [(&mut Recording, &Path); 2]) {
+    if runs[0].0.script.name == runs[1].0.script.name {
+        for (run, file) in runs {
+            run.script.name = Printable::line(file.display()).to_string();
+        }
     }
 }
 

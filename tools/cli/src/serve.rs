@@ -122,7 +122,12 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
         let lang = arguments.run.source.output_options.lang();
         return Err(Error::usage(Using::ServeInput, lang));
     }
-    if sweep::is_table(path) {
+    let own = [
+        ("--hardware", arguments.hardware.is_some()),
+        ("--paused", arguments.paused),
+    ];
+    let own = own.into_iter().find(|(_, is_given)| *is_given);
+    if sweep::is_table_of(&arguments.run, own.map(|(option, _)| option))? {
         return table(arguments, path);
     }
     match &arguments.hardware {
@@ -153,9 +158,6 @@ const TICK: Duration = Duration::from_millis(50);
 /// Serves the page of a table, and its runs, until Ctrl-C.
 fn table(arguments: &Serve, path: &Path) -> Result<Status, Error> {
     let lang = arguments.run.source.output_options.lang();
-    if arguments.hardware.is_some() {
-        return Err(Error::usage(Using::ServeTable, lang));
-    }
     // A table that has no page is refused before its address is printed.
     sweep::page(path, true, lang)?;
     interrupt::catch();

@@ -543,6 +543,29 @@ impl Work {
     }
 }
 
+/// Returns true if a page is wanted of the table of a sweep.
+///
+/// # Errors
+/// An option is given that the table fixes, such as the robot or `own`, one of the command; or the file is the specification.
+pub(super) fn is_table_of(run: &RunArguments, own: Option<&'static str>) -> Result<bool, Error> {
+    let (file, lang) = (&run.file, run.source.output_options.lang());
+    let name = file.to_string_lossy();
+    if let Some(table) = name.strip_suffix(".sweep.json") {
+        let table = format!("{table}.csv").into();
+        return Err(Error::usage(Using::IsSpecification { table }, lang));
+    }
+    if !is_table(file) {
+        return Ok(false);
+    }
+    match run.fixed_by_table().or(own) {
+        Some(option) => {
+            let option = option.to_owned();
+            Err(Error::usage(Using::TableFixes { option }, lang))
+        }
+        None => Ok(true),
+    }
+}
+
 /// Reads the specification of a table, and how its runs are ranked.
 fn specified(table: &Path, lang: Lang) -> Result<(tip_sweep::Sweep, Ranking), Error> {
     let usage = |error: SweepError| Error::Usage(error.text(lang));

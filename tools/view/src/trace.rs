@@ -42,6 +42,15 @@ pub enum TraceError {
     NoMotion,
     /// A record names a step that the program does not have.
     Step(u32),
+    /// This line, counted from 1, has other limbs than the robot.
+    Robot {
+        /// The line.
+        line: usize,
+        /// The number of joints of each limb in the record.
+        found: Vec<usize>,
+        /// The number of joints of each limb of the robot.
+        expected: Vec<usize>,
+    },
     /// There is no program.
     NoProgram,
 }
@@ -74,12 +83,36 @@ impl fmt::Display for TraceError {
             TraceError::Step(step) => {
                 write!(f, "it is of another program: this one has no step {step}")
             }
+            TraceError::Robot {
+                line,
+                found,
+                expected,
+            } => write!(
+                f,
+                "it is of another robot: line {line} has the angles of {}, and this robot has {}; name the robot of the trace with --robot",
+                joints(found),
+                joints(expected)
+            ),
             TraceError::NoProgram => f.write_str("the text is not a program"),
         }
     }
 }
 
 impl std::error::Error for TraceError {}
+
+/// Returns numbers of joints in words, such as `4 limbs of 3 joints`.
+fn joints(limbs: &[usize]) -> String {
+    let count = limbs.len();
+    match limbs {
+        [first, rest @ ..] if rest.iter().all(|joints| joints == first) => {
+            format!("{count} limbs of {first} joints")
+        }
+        _ => {
+            let each: Vec<String> = limbs.iter().map(usize::to_string).collect();
+            format!("{count} limbs of {} joints", each.join(", "))
+        }
+    }
+}
 
 /// The way out of a damaged trace.
 const RETAKE: &str = "copy the file again, or run the program again with --trace";
@@ -126,6 +159,8 @@ impl Recording {
         let mut time = 0.0;
         let mut outcome = Outcome::Unknown;
         let mut records: Vec<(Option<IssuedCommand>, Record)> = Vec::new();
+        let parts = robot.description();
+        let joints: Vec<usize> = parts.legs.iter().map(|leg| leg.joints.len()).collect();
         let mut cycles = 0;
         for (line, text) in (1..).zip(trace.split_inclusive('\n')) {
             if outcome != Outcome::Unknown {
@@ -166,6 +201,15 @@ impl Recording {
             cycles = expected + 1;
             if record.step as usize >= program.steps().len() {
                 return Err(TraceError::Step(record.step));
+            }
+            let found: Vec<usize> = record.angles.iter().map(Vec::len).collect();
+            if !found.is_empty() && found != joints {
+                let expected = joints;
+                return Err(TraceError::Robot {
+                    line,
+                    found,
+                    expected,
+                });
             }
             records.push((asked(&record.cmd), record));
         }

@@ -46,7 +46,7 @@ pub(super) enum Content {
 pub(super) struct Table {
     file: PathBuf,
     lang: Lang,
-    /// Locked during a simulation, so that one run is simulated at a time.
+    /// Locked during a simulation, so that one run is simulated at a time. At most `MAX_ADMITTED` requests wait.
     simulates: Mutex<()>,
 }
 

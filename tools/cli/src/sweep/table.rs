@@ -8,6 +8,7 @@ use super::summary::Summary;
 use crate::error::{Error, is_closed};
 use crate::message::{Sweeping, Using};
 use crate::output;
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
@@ -61,10 +62,10 @@ pub(super) fn saved(table: &Path, lang: Lang) -> Result<Saved, Error> {
     Saved::read(&text).map_err(|error| failed(error.to_string()))
 }
 
-/// Reads the rows of a table that the sweep has written, up to one that is not complete.
+/// Reads the rows of a table that the sweep has written. The last line of an unfinished table may be cut off.
 ///
 /// # Errors
-/// The file cannot be read, or has a line of another sweep.
+/// The file cannot be read, or has a line that the sweep has not written, or a row twice.
 pub(super) fn rows(
     path: &Path,
     sweep: &Sweep,
@@ -74,31 +75,33 @@ pub(super) fn rows(
     let cannot_read = |reason: String| Error::Failed(format!("{}: {reason}", path.display()));
     let file = embed::open_file(path);
     let file = file.map_err(|reason| cannot_read(reason.in_lang(lang).to_string()))?;
+    let is_finished = path.extension() != Some(OsStr::new("part"));
     let mut lines = Lines::of(&file, sweep, false);
-    loop {
-        match lines
-            .next()
-            .map_err(|error| cannot_read(error.to_string()))?
-        {
+    let mut cases = HashSet::new();
+    let number = loop {
+        let line = lines.next();
+        match line.map_err(|error| cannot_read(error.to_string()))? {
             Line::Header => {}
-            Line::Row(row) => found(row),
-            Line::End => return Ok(()),
-            Line::Other { number } => {
-                let name = || path.display().to_string().into();
-                return Err(Error::failed(
-                    match number {
-                        1 => Sweeping::NoTable { file: name() },
-                        _ => Sweeping::OtherRow {
-                            file: name(),
-                            line: number.to_string(),
-                            specification: specification(path).display().to_string().into(),
-                        },
-                    },
-                    lang,
-                ));
+            Line::Row(row) if cases.insert(row.case()) => found(row),
+            // The row is the one that was read last.
+            Line::Row(_) => break lines.count,
+            Line::End if is_finished && (lines.count == 0 || !lines.line.is_empty()) => {
+                break lines.count + 1;
             }
+            Line::End => return Ok(()),
+            Line::Other { number } => break number,
         }
-    }
+    };
+    let name = || path.display().to_string().into();
+    let reason = match number {
+        1 => Sweeping::NoTable { file: name() },
+        _ => Sweeping::OtherRow {
+            file: name(),
+            line: number.to_string(),
+            specification: specification(path).display().to_string().into(),
+        },
+    };
+    Err(Error::failed(reason, lang))
 }
 
 /// A line of a table.

@@ -70,7 +70,9 @@ fn a_crate_has_all_that_it_says() {
 #[test]
 fn drives_of_our_own_are_a_file_to_fill_in() {
     let folder = Folder::new("new-hardware");
-    folder.tip(&["new", "demo", "--hardware"]).expect(0);
+    let made = folder.tip(&["new", "demo", "--hardware"]).expect(0);
+    let reason = "there is no bus of servos for titan8: fill in src/hardware.rs";
+    assert!(made.out.contains(reason), "{}", made.out);
     let mut expected = PLAIN.to_vec();
     expected.extend(["src/bin/drive.rs", "src/hardware.rs", "tests/hardware.rs"]);
     expected.sort_unstable();

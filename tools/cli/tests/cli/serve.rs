@@ -91,11 +91,23 @@ fn the_runs_of_a_table_open_from_its_page() {
     let reply = server.get(&server.target("/case/1"), &[]);
     assert!(reply.starts_with("HTTP/1.1 500 "), "{reply:.100}");
     assert_eq!(server.end(), Some(130));
-    // A file without the columns of a table, a table with hardware, and a table that does not exist are refused.
+    // A file without the columns of a table, options that a table fixes, its specification, and a table that does not exist are refused.
     folder.tip(&["serve", "runs.csv"]).expect(1);
-    folder
-        .tip(&["serve", "runs.csv", "--hardware", "robot.toml"])
-        .expect(2);
+    for options in [
+        &["--hardware", "robot.toml"][..],
+        &["--paused"],
+        &["--robot", "a1"],
+        &["--keys", "3:F"],
+    ] {
+        let refused = folder.tip(&[&["serve", "runs.csv"], options].concat());
+        let refused = refused.expect(2).err;
+        assert!(
+            refused.contains(&format!("leave out {}", options[0])),
+            "{refused}"
+        );
+    }
+    let refused = folder.tip(&["serve", "runs.sweep.json"]).expect(2).err;
+    assert!(refused.contains("give the table runs.csv"), "{refused}");
     folder.tip(&["serve", "none.csv"]).expect(1);
 }
 

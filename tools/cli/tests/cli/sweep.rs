@@ -461,12 +461,30 @@ fn a_table_and_its_runs_have_pages() {
         folder.path("other.sweep.json"),
     )
     .expect("a copy");
-    let outcome = folder.tip(&["view", "other.csv"]).expect(1);
-    assert!(
-        outcome.err.contains("not the table of its specification"),
-        "{}",
-        outcome.err
-    );
+    let refused = |table: &str, reason: &str| {
+        std::fs::write(folder.path("other.csv"), table).expect("it is a file");
+        let outcome = folder.tip(&["view", "other.csv"]).expect(1);
+        assert!(outcome.err.contains(reason), "{}", outcome.err);
+    };
+    let table = folder.read("runs.csv");
+    let lines: Vec<&str> = table.split_inclusive('\n').collect();
+    let (rows, last) = (lines.len() - 1, lines[lines.len() - 1]);
+    for other in ["a,b\n1,2\n", "", "garbage", lines[0].trim_end()] {
+        refused(other, "not the table of its specification");
+    }
+    let doubled = format!("line {} of other.csv", rows + 2);
+    refused(&(table.clone() + last), &doubled);
+    let cut = format!("line {} of other.csv", rows + 1);
+    refused(&table[..table.len() - 5], &cut);
+    // Rows of a complete table may be in another order, as a spreadsheet sorts them.
+    let turned = [lines[0]]
+        .into_iter()
+        .chain(lines[1..].iter().rev().copied());
+    std::fs::write(folder.path("other.csv"), turned.collect::<String>()).expect("it is a file");
+    folder.tip(&["view", "other.csv"]).expect(0);
+    folder
+        .tip(&["view", "other.csv", "--robot", "a1"])
+        .expect(2);
 }
 
 #[test]

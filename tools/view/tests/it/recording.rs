@@ -426,6 +426,21 @@ fn what_is_no_trace_is_refused_with_a_reason() {
     assert!(refused("{\"cycle\":0,\"step\":0}\nhello\n").starts_with("line 2 is not a record"));
     assert!(refused("{\"cycle\":0,\"step\":9}\n").ends_with("no step 9"));
     assert!(refused("{\"cycle\":-1}").starts_with("line 1"));
+    // TITAN VIII has four legs with three joints each.
+    let of = |limbs: &[&str]| {
+        let angles = limbs.join(",");
+        let trace = format!("{{\"cycle\":0,\"step\":0,\"angles\":[{angles}]}}\n");
+        let read = Recording::from_trace(&trace, &loaded, &robot);
+        read.map_err(|error| error.to_string())
+    };
+    let refused = |limbs: &[&str]| of(limbs).expect_err("another robot");
+    let six = refused(&["[0,0,0]"; 6]);
+    assert!(six.contains(
+        "line 1 has the angles of 6 limbs of 3 joints, and this robot has 4 limbs of 3 joints"
+    ));
+    let uneven = refused(&["[0,0,0]", "[0,0,0]", "[0,0]", "[0,0,0]"]);
+    assert!(uneven.contains("4 limbs of 3, 3, 2, 3 joints"));
+    assert!(of(&["[0,0,0]"; 4]).is_ok());
 }
 
 #[test]
