@@ -169,7 +169,7 @@ pub(crate) struct Simulate {
     /// Faults to inject, separated by commas
     ///
     /// faults, corrupt, drop, duplicate, delay or truncate=PROBABILITY of an answer;
-    /// unplug, reset, overheat, block or sag=ID@SECONDS
+    /// unplug, reset, overheat, block, sag or turn (by hand, by 20 deg)=ID@SECONDS
     #[arg(long, value_name = "LIST", default_value = "")]
     inject: String,
 

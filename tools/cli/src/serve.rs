@@ -7,6 +7,7 @@ mod controls;
 mod hardware;
 mod hub;
 mod invitation;
+mod lesson;
 
 use crate::Action;
 use crate::arguments::RunArguments;
@@ -18,7 +19,8 @@ use crate::watch::Watch;
 use crate::{Status, input, interrupt, output, report, sticks, sweep};
 use clap::Args;
 use connections::{Content, Guard, Table};
-use hub::{Hub, HubEvent, HubSender};
+use hub::{Hub, HubEvent, HubSender, Simulated};
+pub(crate) use lesson::LessonPage;
 use std::io::{self, IsTerminal};
 use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
@@ -60,7 +62,7 @@ pub(super) struct Serve {
     /// Address to listen on
     ///
     /// Port 0 selects a free one
-    #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]
+    #[arg(long, value_name = "ADDRESS:PORT", default_value = OWN)]
     listen: SocketAddr,
 
     /// Do not start the run until a viewer does
@@ -115,6 +117,9 @@ impl Action for Serve {
     }
 }
 
+/// The address that this machine alone reaches, with a free port.
+pub(crate) const OWN: &str = "127.0.0.1:0";
+
 /// Serves the page until Ctrl-C.
 fn serve(arguments: &Serve) -> Result<Status, Error> {
     let path = arguments.run.file.as_path();
@@ -127,19 +132,19 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
     }
     match &arguments.hardware {
         Some(hardware) => {
-            let (follower, prepared, file, robot) = hardware::prepare(arguments, hardware)?;
-            let place = Place::bind(arguments)?;
+            let (follower, prepared, robot) = hardware::prepare(arguments, hardware)?;
+            let place = Place::bind(arguments.listen)?;
             let controls = Arc::clone(&prepared.controls);
-            let (hub, sender) = Hub::new(follower, file, robot, Some(controls));
+            let (hub, sender) = Hub::new(follower, robot, Some(controls));
             place.open(arguments, sender)?;
             let control = prepared.start();
             hub.run();
             Ok(control.end())
         }
         None => {
-            let (session, file, robot) = arguments.session(path)?;
-            let place = Place::bind(arguments)?;
-            let (hub, sender) = Hub::new(session, file, robot, None);
+            let (simulated, robot) = arguments.session(path)?;
+            let place = Place::bind(arguments.listen)?;
+            let (hub, sender) = Hub::new(simulated, robot, None);
             place.open(arguments, sender)?;
             hub.run();
             Ok(Status::Interrupted)
@@ -159,7 +164,7 @@ fn table(arguments: &Serve, path: &Path) -> Result<Status, Error> {
     // A table that has no page is refused before its address is printed.
     sweep::page(path, true, lang)?;
     interrupt::catch();
-    let place = Place::bind(arguments)?;
+    let place = Place::bind(arguments.listen)?;
     place.announce(arguments, Using::ServeRuns)?;
     let table = Table::new(path.to_owned(), lang);
     connections::accept(place.listener, place.guard, Content::Table(table));
@@ -177,10 +182,9 @@ struct Place {
 
 impl Place {
     /// Claims the address.
-    fn bind(arguments: &Serve) -> Result<Self, Error> {
-        let failed =
-            |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
-        let listener = TcpListener::bind(arguments.listen).map_err(failed)?;
+    fn bind(listen: SocketAddr) -> Result<Self, Error> {
+        let failed = |error: io::Error| Error::Failed(format!("{listen}: {error}"));
+        let listener = TcpListener::bind(listen).map_err(failed)?;
         let own = listener.local_addr().map_err(failed)?;
         let guard = Guard::new(own).map_err(Error::Failed)?;
         Ok(Place { listener, guard })
@@ -225,8 +229,8 @@ impl Place {
 }
 
 impl Serve {
-    /// Loads the program; returns its session, its file, and its robot.
-    fn session(&self, path: &Path) -> Result<(Session, ServedFile, Robot), Error> {
+    /// Loads the program; returns its session and its robot.
+    fn session(&self, path: &Path) -> Result<(Simulated, Robot), Error> {
         let (subject, setup, file) = self.subject(path)?;
         let events = match &subject.loaded.program {
             Some(program) => sticks::let_rest(program, setup.events),
@@ -238,7 +242,7 @@ impl Serve {
             session.play();
         }
         session.hand_over();
-        Ok((session, file, subject.robot))
+        Ok((Simulated { session, file }, subject.robot))
     }
 
     /// Loads the program; returns it with the setup of its session, and its file.
