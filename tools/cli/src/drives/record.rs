@@ -12,7 +12,8 @@ use super::zero::{positions, relax};
 use crate::error::Error;
 use crate::message::{Driving, Using};
 use crate::run::trial::trial;
-use crate::serve::{self, LessonPage};
+use crate::serve::lesson::LessonPage;
+use crate::serve::place::OWN;
 use crate::{Status, input, interrupt, output, report};
 use clap::Args;
 use existing::{Existing, Place};
@@ -89,7 +90,7 @@ pub(crate) struct Record {
     /// Show the robot on a page, to this machine alone without an address
     ///
     /// Nobody teaches from the page; its emergency stop is for everybody who has the address. Port 0 selects a free one
-    #[arg(long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = serve::OWN)]
+    #[arg(long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = OWN)]
     listen: Option<SocketAddr>,
 }
 

@@ -436,7 +436,7 @@ impl Connection {
         };
         self.finish();
         if status == Status::Failure {
-            super::report_stiff(self, self.lang);
+            report_stiff(self, self.lang);
         }
         Some(status)
     }
@@ -601,6 +601,16 @@ impl Connection {
             Problem::NotHeld => Driving::NotHeld,
         };
         message.in_lang(self.lang).to_string()
+    }
+}
+
+/// Says which servos an earlier command left stiff, where this one ends before its first torque: they stay so, because a robot that
+/// they hold must not fall.
+pub(crate) fn report_stiff(connection: &Connection, lang: Lang) {
+    let stiff = connection.robot().drives_mut().stiff();
+    if !stiff.is_empty() {
+        let joints = List(connection.setup.names(&stiff));
+        report::say(Driving::WereStiff { joints }, lang);
     }
 }
 

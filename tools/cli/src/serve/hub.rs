@@ -2,7 +2,6 @@
 //! viewers parse requests, and one thread checks texts, so that the run goes on meanwhile.
 
 use crate::interrupt;
-use crate::serve::ServedFile;
 use crate::serve::controls::Controls;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -11,9 +10,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 use tip_sim::Robot;
-use tip_view::live::{
-    CheckedText, ClientRequest, Host, Session, TextChecker, UncheckedText, Viewer,
-};
+use tip_view::live::{CheckedText, ClientRequest, TextChecker, UncheckedText, Viewer};
 
 /// Time between two advances of the run.
 const TICK: Duration = Duration::from_millis(4);
@@ -63,41 +60,6 @@ pub(super) trait LiveSession {
     fn checked(&mut self, _: CheckedText) {}
     /// Reads the file, which may have changed.
     fn file_changed(&mut self) {}
-}
-
-/// The session of a simulated robot, with the file of its program.
-pub(super) struct Simulated {
-    pub(super) session: Session,
-    pub(super) file: ServedFile,
-}
-
-impl LiveSession for Simulated {
-    fn advance(&mut self, elapsed: Duration, goes_on: &dyn Fn() -> bool) {
-        self.session
-            .advance(elapsed.as_secs_f64() * 1000.0, goes_on);
-    }
-
-    fn ask(&mut self, _: &Outbox, asked: &ClientRequest) -> Option<String> {
-        self.session.ask(asked, &mut self.file)
-    }
-
-    fn update(&self, _: &Outbox, viewer: &mut Viewer) -> Option<String> {
-        self.session.update(viewer)
-    }
-
-    fn unchecked(&mut self) -> Option<UncheckedText> {
-        self.session.unchecked()
-    }
-
-    fn checked(&mut self, reading: CheckedText) {
-        self.session.checked(reading);
-    }
-
-    fn file_changed(&mut self) {
-        if let Ok(bytes) = self.file.read() {
-            self.session.file_changed(&bytes);
-        }
-    }
 }
 
 /// The sending end of the hub. It never blocks: viewers that send too much are refused.

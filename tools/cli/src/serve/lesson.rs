@@ -1,8 +1,8 @@
 //! The page of `tip drives record`: it shows the robot that is taught. Nobody teaches from it; its emergency stop is for everybody.
 
-use super::Place;
 use super::connections::{self, Content};
 use super::hub::{Hub, LiveSession, Outbox};
+use super::place::Place;
 use crate::error::Error;
 use crate::message::Using;
 use crate::report;

@@ -2,8 +2,7 @@
 //! state in which they are left, and again from there.
 
 use crate::drives::realtime::{self, wait_until};
-use crate::drives::report_stiff;
-use crate::drives::robot::Connection;
+use crate::drives::robot::{Connection, report_stiff};
 use crate::run::files::Trace;
 use crate::serve::controls::Controls;
 use crate::{Status, input, interrupt, report, sticks};
