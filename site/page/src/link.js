@@ -10,7 +10,7 @@ export async function fragmentOf({ text, robot, events }) {
   return `#${fields}`;
 }
 
-/** What a fragment says: { lesson } or { example } from 1, or { text, robot, events }; undefined if it says nothing. */
+/** Reads a fragment: { lesson } or { example } from 1, or { text, robot, events }. Returns undefined if it has none of them. */
 export async function readFragment(fragment) {
   const fields = new URLSearchParams(fragment.slice(1));
   for (const kind of ['lesson', 'example']) {

@@ -1,6 +1,6 @@
 // A session in this page (tools/view/page/src/session.js), in a module in the place of a server.
 
-/** How often the run goes on: ms. */
+/** Time between two advances of the run, ms. */
 const TICK = 4;
 
 /** Of a module (../../wasm.mjs). `open(wanted)` begins another session in the place of the one before, or gives an error. */

@@ -1,4 +1,4 @@
-// What the playground says beside what every page of a run says, in English and Japanese.
+// The texts that only the playground has, in English and Japanese.
 
 export const TOUR_WORDS = {
   show: ['Show', '表示'],

@@ -1,15 +1,15 @@
-// How large pages are, how soon they show the robot, how fast they scrub.
+// Measures the sizes of pages, the time until they show the robot, and the speed at which they scrub.
 import { statSync } from 'node:fs';
 import { launch, open, settle } from './browsers.mjs';
 
 /** The most bytes that a page may have. */
 const MOST = { walk: 1e6, grasp: 1e6, hexapod: 1e6, 'walk-on': 1e6, hold: 6e6 };
-/** How many frames are scrubbed. */
+/** Number of frames that are scrubbed. */
 const FRAMES = 90;
 const browser = await launch();
 const session = await browser.newBrowserCDPSession();
 
-/** The processor's time so far: ms of the page, and of what draws in three dimensions. Others on the machine do not lengthen it. */
+/** Returns the processor's time so far, ms, of the page and of its graphics. Other processes do not lengthen it. */
 async function spent() {
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
   const sum = (type) => processInfo.filter((one) => one.type === type).reduce((sum, { cpuTime }) => sum + 1000 * cpuTime, 0);

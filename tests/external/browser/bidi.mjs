@@ -1,4 +1,4 @@
-// Debian's Firefox, which Playwright cannot drive: by WebDriver BiDi, on a screen in memory with graphics by software.
+// Drives Debian's Firefox by WebDriver BiDi, because Playwright cannot. It has a screen in memory and graphics by software.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -6,7 +6,7 @@ import { join } from 'node:path';
 
 const PREFERENCES = { 'webgl.force-enabled': true, 'webgl.forbid-software': false, 'intl.accept_languages': 'en', 'ui.systemUsesDarkTheme': 0 };
 
-/** The first match in what a process writes. */
+/** Resolves to the first match in the output of a process. */
 function reads(stream, pattern) {
   return new Promise((resolve) => {
     let text = '';
@@ -71,7 +71,7 @@ class Session {
     return new Promise((resolve, reject) => this.waiting.set(this.last, { resolve, reject }));
   }
 
-  /** What a function gives in the page; JSON goes in and out. */
+  /** Calls a function in the page, and returns its result. Arguments and result are JSON. */
   async run(task, ...values) {
     const expression = `(async () => JSON.stringify(await (${task})(...${JSON.stringify(values)})))()`;
     const answer = await this.send('script.evaluate', { expression, target: { context: this.context }, awaitPromise: true });
@@ -82,7 +82,7 @@ class Session {
   /** Opens a page and waits until it is ready. */
   async open(url) {
     [this.asked, this.complaints] = [[], []];
-    // From another page, since a new fragment alone opens nothing anew.
+    // It goes there from another page, because a new fragment alone opens nothing anew.
     await this.send('browsingContext.navigate', { context: this.context, url: 'about:blank', wait: 'complete' });
     await this.send('browsingContext.navigate', { context: this.context, url, wait: 'complete' });
     await this.run(async () => {

@@ -1,4 +1,4 @@
-// Browsers of this machine, without a screen and with graphics by software.
+// Starts the browsers of this machine, without a screen and with graphics by software.
 import { execFileSync } from 'node:child_process';
 import { chromium } from 'playwright-core';
 
@@ -10,24 +10,24 @@ const path = (name) => {
   }
 };
 
-// The page itself is put together as on any machine without a graphics card: by the processor, and not by its graphics.
+// The processor composes the page, as on any machine without a graphics card.
 export function launch() {
   const args = ['--no-sandbox', '--enable-unsafe-swiftshader'];
   return chromium.launch({ executablePath: path('chromium'), args });
 }
 
-/** A page of its own with a recording. */
+/** Opens a recording in a page of its own. */
 export function open(browser, file, options = {}, hash = '', prepare = undefined) {
   return visit(browser, `file://${file}${hash}`, options, prepare);
 }
 
-/** How long a new window of a browser is busy with its own menus: ms. They are pages as well, and take a third of a second. */
+/** Time for which a new window of a browser is busy with its own menus, ms. Menus are pages, too, and take a third of a second. */
 const MENUS = 1500;
 
-/** Before a page whose time is taken: people open it in a window that is there already. */
+/** Waits before the time of a page is taken. People open it in a window that is there already. */
 export const settle = (page) => page.waitForTimeout(MENUS);
 
-/** A page of its own, and all that it asked for and complained of. */
+/** Opens an address in a page of its own. Returns the page, the addresses that it asked for, and its complaints. */
 export async function visit(browser, address, options = {}, prepare = () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();

@@ -1,5 +1,5 @@
-// The page of `tip serve --hardware` in a browser, on simulated servos: touch, a stubbed gamepad, pages that are frozen, closed and
-// out of focus, and two pages. TIP is the command that `run` has built.
+// Tests the page of `tip serve --hardware` in a browser, on simulated servos. The tests use touch, a stubbed gamepad, pages that are
+// frozen, closed and out of focus, and two pages. TIP is the command that `run` has built.
 import assert from 'node:assert/strict';
 import { resolve } from 'node:path';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
@@ -27,7 +27,7 @@ const open = async (options = PHONE, prepare) => {
   return view;
 };
 const says = (page, text) => page.waitForFunction((text) => document.querySelector('#drive-state').textContent.includes(text), text);
-/** The angle of J11 as its servo measures it, deg. */
+/** Returns the angle of J11 as its servo measures it, deg. */
 const angle = (page) => page.$eval('#servo-rows tr td:nth-child(3)', (cell) => Number(cell.textContent));
 /** Waits until J11 is between two angles. */
 const turns = (page, least, most) =>
@@ -43,14 +43,14 @@ const centre = async (page, selector) => {
   const { x, y, width, height } = await page.locator(selector).boundingBox();
   return { x: x + width / 2, y: y + height / 2 };
 };
-/** A page that drives. */
+/** Opens a page that drives. */
 const driver = async (options, prepare) => {
   const view = await open(options, prepare);
   await view.page.click('#take');
   await view.page.waitForSelector('#give:not([hidden])');
   return view;
 };
-/** Fingers on the screen of a page. */
+/** Returns functions that put fingers on the screen of a page, and lift them. */
 const fingers = async (page) => {
   const devtools = await page.context().newCDPSession(page);
   const down = new Map();
@@ -70,7 +70,7 @@ const fingers = async (page) => {
 };
 const RUNS = 'The program runs';
 
-/** Presses the button until the program runs; again where a page that is busy with its graphics let the press lapse. */
+/** Presses the button until the program runs. A page that is busy with its graphics lets a press lapse; then it is repeated. */
 const drivesBy = async (page, press, release) => {
   await says(page, 'no torque');
   for (let times = 0; times < 10; times += 1) {
@@ -198,6 +198,7 @@ test('what a real robot cannot do is not offered', async () => {
   await page.click('#state-tab');
   await page.waitForFunction(() => document.querySelectorAll('#servo-rows tr').length === 3);
   assert.ok(Math.abs((await angle(page)) - 5) < 1, 'a little beside the first posture');
+  assert.equal(await page.textContent('.knob output'), '5.0 V', 'a stick rests');
   await page.click('#language');
   assert.equal(await page.textContent('#hold'), '押し続けて開始');
   await page.evaluate(axe.source);

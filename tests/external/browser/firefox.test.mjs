@@ -1,4 +1,4 @@
-// What Firefox makes of the pages; replay.test.mjs asks Chromium more.
+// Tests the pages in Firefox. replay.test.mjs has more tests, in Chromium.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launchFirefox } from './bidi.mjs';
@@ -7,7 +7,7 @@ let firefox;
 before(async () => (firefox = await launchFirefox()));
 after(() => firefox.close());
 
-/** How many different colours the robot's picture has. */
+/** Returns the number of different colours of the robot's picture. */
 function colours() {
   const [canvas, copy] = [document.getElementById('canvas'), Object.assign(document.createElement('canvas'), { width: 200, height: 120 })];
   const pen = copy.getContext('2d');

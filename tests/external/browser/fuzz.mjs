@@ -1,19 +1,19 @@
-// Clients that send `tip serve` what nobody would, over real sockets: node fuzz.mjs [SECONDS [SEED]].
-// It must not panic, must go on answering a good client, and must not grow.
+// Sends `tip serve` requests that nobody would send, over real sockets: node fuzz.mjs [SECONDS [SEED]].
+// The server must not panic, must go on answering a good client, and must not grow.
 import { readFileSync, readdirSync } from 'node:fs';
 import { createConnection } from 'node:net';
 import { serve } from './served.mjs';
 
 const SECONDS = Number(process.argv[2] ?? 600);
 let seed = Number(process.argv[3] ?? 1);
-/** How many clients there are at once. */
+/** Number of clients at the same time. */
 const CLIENTS = 8;
-/** A good client is answered so soon: ms. */
+/** Longest time until a good client is answered, ms. */
 const PATIENCE = 5000;
-/** By so much may the second half of the time need more memory than the first. */
+/** Largest growth of memory from the first half of the time to the second. */
 const GROWTH = 1.2;
 
-/** Below a limit; the same in every run of a seed (Steele, Lea, Flood: SplitMix32). */
+/** Returns a number below a limit. Each run of a seed has the same numbers (Steele, Lea, Flood: SplitMix32). */
 function below(limit) {
   seed = (seed + 0x9e3779b9) | 0;
   let mixed = Math.imul(seed ^ (seed >>> 16), 0x21f0aaad);
@@ -28,7 +28,7 @@ const WORDS = readFileSync('../../fuzz/dictionaries/requests.dict', 'utf8').spli
 const REQUESTS = WORDS.filter((word) => word.startsWith('{'));
 const NUMBERS = ['0', '-1', '1e999', '1e-999', '4294967296', '9007199254740993', '-9223372036854775808', '0.5', 'null', '"1"', '[]'];
 
-/** A request with some of it changed. */
+/** Returns a request with a part of it changed. */
 function message(version) {
   let text = one(REQUESTS).replace('"base":1', `"base":${version}`);
   for (let times = below(4); times > 0; times--) {
@@ -45,7 +45,7 @@ function message(version) {
   return text;
 }
 
-/** A WebSocket's frame (RFC 6455), masked as a client's has to be. */
+/** Returns the frame of a WebSocket (RFC 6455), masked as a client's has to be. */
 function frame(opcode, payload, end = true) {
   const body = Buffer.from(payload);
   const size = body.length < 126 ? [body.length] : body.length < 65536 ? [126, body.length >> 8, body.length & 255] : [127, 0, 0, 0, 0, ...[24, 16, 8, 0].map((shift) => (body.length >> shift) & 255)];
@@ -54,7 +54,7 @@ function frame(opcode, payload, end = true) {
   return Buffer.concat([Buffer.from([(end ? 0x80 : 0) | opcode, 0x80 | size[0], ...size.slice(1), ...mask]), masked]);
 }
 
-/** Bytes of which some are others. */
+/** Returns bytes, some of which are changed. */
 function spoiled(bytes) {
   for (let times = 1 + below(6); times > 0; times--) bytes[below(Math.min(bytes.length, 400))] = below(256);
   return bytes;
@@ -65,7 +65,7 @@ const { host, port, search } = new URL(server.address);
 const head = (target) => `GET ${target} HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n`;
 const counts = { heads: 0, messages: 0, frames: 0, connections: 0, answers: 0 };
 
-/** A connection; `hear` is given the text of every message of a viewer. */
+/** Opens a connection. `hear` gets the text of every message of a viewer. */
 function connect(hear) {
   counts.connections += 1;
   const socket = createConnection({ host: '127.0.0.1', port });
@@ -145,14 +145,14 @@ const KINDS = {
   },
 };
 
-/** Of the server's process: MB, and how many threads. */
+/** Returns the memory of the server's process, MB, and the number of its threads. */
 function size() {
   const status = readFileSync(`/proc/${server.pid}/status`, 'utf8');
   const of = (name) => Number(new RegExp(`^${name}:\\s+(\\d+)`, 'm').exec(status)[1]);
   return { memory: of('VmRSS') / 1000, threads: of('Threads'), files: readdirSync(`/proc/${server.pid}/fd`).length };
 }
 
-// Its address is printed before all of its threads are there; afterwards, those of clients take a moment to go.
+// The server prints its address before all of its threads are there. Afterwards, the threads of clients take a moment to end.
 const REST = 2000;
 await wait(REST);
 const [begin, quiet] = [performance.now(), size()];

@@ -40,7 +40,7 @@ const way = async () => {
     left: amount(/([\d.]+) ° to the (right|left)/, 'left'),
   };
 };
-/** Returns the way once the body stands, which is when the way does not change any more. */
+/** Returns the way when it does not change any more, because the body stands. */
 const stands = async () => {
   for (let last = await way(), times = 0; times < 20; times += 1) {
     await page.waitForTimeout(500);

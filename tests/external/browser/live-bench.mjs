@@ -1,4 +1,4 @@
-// How often the page of a run that goes on is told something new: 50 times a second, or more often.
+// Counts the updates of the page of a run that goes on. There must be 50 a second or more.
 import { launch, visit } from './browsers.mjs';
 import { serve } from './served.mjs';
 

@@ -1,4 +1,4 @@
-// Pictures of the page of a run that goes on, for people to judge: four widths, two schemes, two languages.
+// Takes pictures of the page of a run that goes on, for people to judge, in four widths, two schemes and two languages.
 import { mkdirSync } from 'node:fs';
 import { launch, visit } from './browsers.mjs';
 import { serve } from './served.mjs';

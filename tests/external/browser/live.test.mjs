@@ -1,4 +1,4 @@
-// The page of `tip serve`, in a browser: TIP is the command that `run` has built.
+// Tests the page of `tip serve` in a browser. TIP is the command that `run` has built.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
@@ -36,7 +36,7 @@ const rests = async (page) => {
   await page.click('#play');
   await says(page, '#outcome', 'paused');
 };
-/** The editor's text, which is in a tree of its own. */
+/** Returns the editor's text, which is in a tree of its own. */
 const editor = (page) => page.locator('#editor .cm-content');
 const write = async (page, line, text, key) => {
   await page.click('#source-tab');
@@ -99,7 +99,7 @@ test('looks back while the run goes on, and goes on from there', async () => {
   assert.deepEqual(await size(), before, 'the stage is as large as before');
   const newest = () => page.$eval('#scrub', (slider) => Number(slider.max));
   const last = await newest();
-  // It goes on from cycle 20: what was after it is not so any more. Looked for from before the click on, since it grows again.
+  // It goes on from cycle 20, and forgets the cycles after it. The test looks from before the click on, because it grows again.
   const shorter = page.waitForFunction((last) => Number(document.querySelector('#scrub').max) < last, last);
   await page.click('#go-on');
   await shorter;
@@ -125,7 +125,7 @@ test('tells when the program has read a changed variable, and writes its value i
   const { page, complaints, close } = await visit(browser, reads.address, { viewport: SMALL });
   await page.click('#state-tab');
   const row = page.locator('#variables tr:has(button:text-is("SPEED"))');
-  // The program has assigned it: there is nothing to write.
+  // The program has assigned it, so that there is nothing to write.
   await row.locator('.from button:text-is("line 5")').waitFor();
   await row.locator('td').first().click();
   await page.keyboard.type('350');
@@ -308,7 +308,7 @@ test('runs the text that stands there, while the one before is still on its way'
   await page.keyboard.type('and newer: ');
   await page.click('#restart');
   await says(page, '#title', 'New: and newer: Counts');
-  // What is taken back before it has arrived does not come back.
+  // A change that is taken back before it has arrived does not come back.
   await write(page, 12, 'Q');
   await page.waitForTimeout(300);
   await page.keyboard.press('Backspace');

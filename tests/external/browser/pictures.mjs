@@ -1,33 +1,33 @@
-// The pictures that README.md opens with: a walk and a gait that a stick steers, and the page that replays a walk.
+// Makes the first pictures of README.md: a walk, a gait that a stick steers, and the page that replays a walk.
 // node pictures.mjs OUT
 import { writeFileSync } from 'node:fs';
 import { launch, open } from './browsers.mjs';
 import { animated } from './webp.mjs';
 
-/** How many stills of each run, from which cycle to which: a stride of the walk, and one move of each stick. */
+/** Number of stills of each run, and their first and last cycle. They show a stride of the walk, and one move of each stick. */
 const MOTIONS = {
   walk: { stills: 36, from: 1067, to: 1526 },
   steered: { stills: 40, from: 200, to: 520 },
 };
 const SIZE = { width: 480, height: 320 };
-/** For how long each still is shown: ms. */
+/** Time for which each still is shown, ms. */
 const SHOWN = 80;
 const QUALITY = 0.75;
 /** Text stays readable. */
 const SHARP = 0.9;
-/** After so long at rest the page has drawn all pixels: ms. */
+/** Time at rest after which the page has drawn all pixels, ms. */
 const REST = 400;
 
 const [folder] = process.argv.slice(2);
 const browser = await launch();
 
-/** A page at a cycle, as those who read English see it by day. */
+/** Opens a page at a cycle, in English and light colours. */
 function show(name, cycle, viewport) {
   const file = `${process.env.PAGES}/${name}.html`;
   return open(browser, file, { viewport, colorScheme: 'light', locale: 'en' }, `#cycle=${cycle}`);
 }
 
-/** The canvas as a picture of that size; it may have more pixels, which make its edges smooth. */
+/** Returns the canvas as a picture of that size. More pixels of the canvas make its edges smooth. */
 function still(canvas, { width, height, quality }) {
   const copy = Object.assign(document.createElement('canvas'), { width, height });
   const pen = copy.getContext('2d');
@@ -48,7 +48,7 @@ function save(name, bytes) {
 for (const [name, { stills: count, from, to }] of Object.entries(MOTIONS)) {
   const { page, close } = await show(name, from, SIZE);
   await page.$eval('#stage', (stage) => Object.assign(stage.style, { position: 'fixed', inset: 0, zIndex: 9 }));
-  // Nearer, since nothing else is shown.
+  // It is nearer, because nothing else is shown.
   await page.mouse.move(SIZE.width / 2, SIZE.height / 2);
   await page.mouse.wheel(0, -400);
   const stills = [];

@@ -6,7 +6,7 @@ import axe from 'axe-core';
 import { launch, visit } from './browsers.mjs';
 
 const one = `file://${process.env.SITE}/playground.html`;
-/** Counts its cycles; says which key was pressed, what VR1 is, and that it is to halt. */
+/** A program that counts its cycles, and shows the key that was pressed, the reading of VR1, and a request to halt. */
 const COUNTS = readFileSync(`${import.meta.dirname}/counts.prg`, 'utf8');
 /** It counts once in so many cycles. */
 const TURN = 8;
@@ -34,7 +34,7 @@ async function write(page, text) {
   await page.keyboard.press('Escape');
   await page.waitForFunction((before) => location.hash !== before, before);
 }
-/** Runs a program of one's own. */
+/** Runs another program than that of the page. */
 async function run(page, text) {
   await write(page, text);
   await page.click('#restart');

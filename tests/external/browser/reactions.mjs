@@ -22,7 +22,7 @@ async function bus(robot) {
   return { port: /\/dev\/\S+?(?=[;,\s]|$)/.exec(line)[0], end: () => child.kill('SIGINT') };
 }
 
-/** Reads whether the torque of each servo is on: register 40 of an STS3215, by a request of its protocol. */
+/** Reads the torque switch of each servo, register 40 of an STS3215, by a request of its protocol. */
 async function torque(port) {
   const file = openSync(port, constants.O_RDWR | constants.O_NOCTTY | constants.O_NONBLOCK);
   const states = [];

@@ -1,4 +1,4 @@
-// The page of three runs: a walk, a grasp and a hexapod. PAGES is the folder that `run` has put them into.
+// Tests the pages of three runs: a walk, a grasp and a hexapod. PAGES is the folder into which `run` has put them.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
@@ -13,7 +13,7 @@ after(() => browser?.close());
 const cycle = (page) => page.$eval('#now-cycle', (element) => Number(element.textContent.split(' ')[0]));
 const lit = (page) => page.$eval('#source .lit', (line) => line.value);
 
-/** How many colours a picture has that are not rare. */
+/** Returns the number of colours of a picture that are not rare. */
 const colours = (page) =>
   page.$eval('#canvas', (canvas) => {
     const copy = Object.assign(document.createElement('canvas'), { width: 200, height: 120 });
@@ -95,7 +95,7 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
       const before = await page.locator('.chart .uplot').count();
       await variable.click();
       assert.equal(await page.locator('.chart .uplot').count(), before + 1);
-      // All of the new plot is in view, which is below the others.
+      // The new plot, below the others, is in view as a whole.
       await page.waitForTimeout(100);
       const [plot, panel] = await Promise.all(['.chart:last-child .uplot', '#plots-panel'].map((part) => page.locator(part).boundingBox()));
       assert.ok(plot.height > 80 && plot.y >= panel.y && plot.y + plot.height <= panel.y + panel.height + 1, JSON.stringify([plot, panel]));
@@ -122,7 +122,7 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
 
     test('the last label of the axis of time is whole', async () => {
       const { page } = view;
-      // Labels are drawn: what stands right of the last tick has room for half of the widest one.
+      // Labels are drawn. Right of the last tick there is room for half of the widest one.
       const rooms = await page.$$eval('.chart .uplot', (all) => all.map((one) => one.getBoundingClientRect().right - one.querySelector('.u-over').getBoundingClientRect().right));
       assert.ok(rooms.every((room) => room >= 24), rooms.join());
     });
@@ -245,7 +245,7 @@ test('exports frames as a ZIP that others read', async () => {
   await close();
 });
 
-/** The elements of a film (RFC 8794) with these identifiers inside: for each its identifier, and its bytes. */
+/** Returns the elements of a film (RFC 8794) inside of these identifiers, each with its identifier and its bytes. */
 function elements(bytes, inside) {
   const found = [];
   for (let at = 0; at < bytes.length; ) {
@@ -266,7 +266,7 @@ test('films each frame, however long it takes', async () => {
   await page.fill('#export-rate', '10');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-video')]);
   const bytes = readFileSync(await download.path());
-  // EBML (RFC 8794) is what WebM begins with.
+  // WebM begins with EBML (RFC 8794).
   assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
   const [segment, cluster, time, block] = [0x18538067, 0x1f43b675, 0xe7, 0xa3];
   const film = elements(bytes, [segment, cluster]);
@@ -307,7 +307,7 @@ test('two runs are on one page: their plots, and the second robot as a ghost', a
   const shot = (page) => page.$eval('#canvas', (canvas) => canvas.toDataURL());
   assert.notEqual(await shot(page), await shot(alone.page));
   await alone.close();
-  // The slider covers the slower run, the ghost's, which is the longer one; of the first run nothing is known after its end.
+  // The slider covers the slower run, that of the ghost, which is longer. The first run has no data after its end.
   const last = (name) => readFileSync(`${pages}/${name}.jsonl`, 'utf8').trimEnd().split('\n').length - 2;
   const [ends, longer] = [last('walk'), last('slow')];
   assert.ok(longer > ends);
@@ -351,7 +351,7 @@ test('the figures of two runs have both moments, their difference, and which is 
   await page.click('#figures tr:has(th:text-is("margin")) td:nth-child(3) button');
   await page.waitForFunction((line) => document.getElementById('now-line').textContent.endsWith(`| ${line}`), line);
   assert.ok(Math.abs(Number((await page.textContent('#now-time')).split(' ')[0]) - Number(seconds) - 0.02) < 0.001);
-  // Line 16 is all in which the programs differ.
+  // The programs differ in line 16 alone.
   assert.equal(await page.textContent('#changes-title'), 'The programs differ: − walk, + faster');
   assert.deepEqual(await page.$$eval('#changes li', (rows) => rows.map((row) => row.textContent)), ['16−SPEED = 300   // mm/s', '16+SPEED = 350']);
   await page.click('#changes .removed button');
@@ -517,12 +517,12 @@ test('what a program says is text, whatever it says', async () => {
   assert.equal(await page.textContent('#message'), said);
   assert.ok((await page.title()).startsWith('</title><script>alert(3)</script>'));
   assert.equal(await page.locator('img').count(), 0);
-  // The recording, one to compare, the page's script, deflated and as it runs, and what inflates it.
+  // These are the recording, one to compare, the page's script, deflated and as it runs, and the script that inflates it.
   assert.equal(await page.locator('script').count(), 5);
   await close();
 });
 
-/** The pixels of the robot's picture at rest, when all of them are drawn. */
+/** Returns the pixels of the robot's picture at rest, when all of them are drawn. */
 async function picture(page) {
   await page.waitForTimeout(1000);
   return page.$eval('#canvas', (canvas) => {
@@ -533,7 +533,7 @@ async function picture(page) {
   });
 }
 
-/** In how many pixels two pictures differ. */
+/** Returns the number of pixels in which two pictures differ. */
 function differences(one, other) {
   const differs = (at) => [0, 1, 2].reduce((sum, n) => sum + Math.abs(one[at + n] - other[at + n]), 0) > 24;
   return one.filter((_, at) => at % 4 === 0 && differs(at)).length;
@@ -543,7 +543,7 @@ test('forces inside an object show through it', async () => {
   const { page, close } = await open(browser, `${pages}/grasp.html`, { colorScheme: 'light' }, '#cycle=2600');
   const shown = await picture(page);
   await page.click('#show-forces');
-  // What stands out of the object is about half of it.
+  // About half of the object stands out.
   const pixels = differences(shown, await picture(page));
   assert.ok(pixels > 95, `${pixels} pixels`);
   await close();

@@ -1,11 +1,11 @@
-// Programs and tables that `tip serve` serves.
+// Serves programs and tables by `tip serve`.
 import { spawn } from 'node:child_process';
 import { copyFileSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { createInterface } from 'node:readline';
 
-/** Serves a copy of a program until `end()`, which gives the exit status; `said()` is what it has written to stderr. */
+/** Serves a copy of a program until `end()`, which returns the exit status. `said()` returns the text on stderr so far. */
 export async function serve(program, ...options) {
   const file = join(mkdtempSync(join(tmpdir(), 'tip-serve-')), basename(program));
   copyFileSync(program, file);

@@ -1,4 +1,4 @@
-// Pictures of the pages, for people to judge: four widths, two schemes, two languages.
+// Takes pictures of the pages for people to judge, in four widths, two schemes and two languages.
 import { mkdirSync } from 'node:fs';
 import { launch, open } from './browsers.mjs';
 

@@ -1,10 +1,10 @@
-// The page of a table of runs, with the data of runs.json. PAGES is the folder of pages.
+// Tests the page of a table of runs, with the data of runs.json. PAGES is the folder of pages.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { launch } from './browsers.mjs';
 
-/** The place of `name` in texts that canvases were asked to draw. */
+/** Returns the place of `name` among the texts that canvases were asked to draw. */
 const named = (texts, name) => texts.filter(({ text }) => text === name);
 
 const here = (path) => readFileSync(new URL(path, import.meta.url), 'utf8');
@@ -17,7 +17,7 @@ for (const width of [1440, 390]) {
     before(async () => {
       browser = await launch();
       page = await browser.newPage({ viewport: { width, height: 900 } });
-      // What is drawn into a canvas is nowhere in the document.
+      // The document does not have the texts of a canvas.
       await page.addInitScript(() => {
         window.drawn = [];
         const { prototype } = CanvasRenderingContext2D;

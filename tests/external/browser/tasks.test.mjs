@@ -11,7 +11,7 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
-/** A test that takes a minute at most, graphics by software included. */
+/** Defines a test that takes a minute at most, graphics by software included. */
 const task = (name, work) => test(name, { timeout: 60_000 }, async (context) => {
   const begin = performance.now();
   await work();

@@ -1,4 +1,4 @@
-// A viewer of `tip serve` without a page, with which tests watch and drive.
+// A viewer of `tip serve` without a page. Tests watch and drive by it.
 
 /** Time between two signs of life: ms. */
 const SIGN = 100;
@@ -58,7 +58,7 @@ export class Viewer {
     this.send({ do: 'drive', press: 0, sticks: REST });
   }
 
-  /** Starts the robot, again where a busy machine let the press lapse. */
+  /** Starts the robot. A busy machine may let a press lapse; then it is repeated. */
   async start() {
     this.send({ do: 'take' });
     for (let times = 0; times < 20; times += 1) {

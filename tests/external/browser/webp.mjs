@@ -1,6 +1,6 @@
-// A moving picture of still ones, all of them WebP (RFC 9649). Browsers encode stills and no motion.
+// Joins still pictures to a moving one, all of them WebP (RFC 9649). Browsers encode stills and no motion.
 
-/** The four letters of a chunk, its length, and what it holds, filled up to an even length. */
+/** Returns a chunk: its four letters, its length, and its content, filled up to an even length. */
 function chunk(name, ...parts) {
   const content = Buffer.concat(parts);
   const head = Buffer.alloc(8);
@@ -9,12 +9,12 @@ function chunk(name, ...parts) {
   return Buffer.concat([head, content, Buffer.alloc(content.length % 2)]);
 }
 
-/** A number of three bytes, lowest first. */
+/** Returns a number as three bytes, lowest first. */
 function three(value) {
   return Buffer.from([value & 255, (value >> 8) & 255, value >> 16]);
 }
 
-/** A still without the head of its file and its colour profile: the chunk of its pixels. */
+/** Returns the chunk of a still's pixels, without the head of its file and its colour profile. */
 function pixels(still) {
   let at = 12;
   while (still.toString('latin1', at, at + 4) !== 'VP8 ') {
@@ -24,7 +24,7 @@ function pixels(still) {
   return still.subarray(at);
 }
 
-/** Shows stills of one size one after the other, each for so many ms, for ever. */
+/** Returns a picture that shows stills of one size one after the other, each for this many ms, for ever. */
 export function animated(stills, { width, height }, milliseconds) {
   const size = Buffer.concat([three(width - 1), three(height - 1)]);
   const nowhere = Buffer.alloc(6);

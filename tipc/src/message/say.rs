@@ -67,7 +67,6 @@ macro_rules! alike {
 
 alike!(
     char,
-    f64,
     u32,
     usize,
     &'static str,
@@ -76,6 +75,13 @@ alike!(
     Part,
     Target
 );
+
+impl Say for f64 {
+    /// A zero has no sign.
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        Display::fmt(&(self + 0.0), f)
+    }
+}
 
 impl Bilingual {
     /// Returns the text in a language.

@@ -142,6 +142,27 @@ fn words_are_cut_beyond_80_characters_and_texts_beyond_the_longest_path() {
     check(Quoted(long()), &format!("`{}…`, `C`", "B".repeat(80)));
 }
 
+#[test]
+fn a_zero_has_no_sign() {
+    let from_to = |min: f64| super::Describing::StartsOutside { angle: min };
+    check(
+        from_to(-0.0),
+        &from_to(0.0).in_lang(Lang::English).to_string(),
+    );
+    assert!(
+        !from_to(-0.0)
+            .in_lang(Lang::Japanese)
+            .to_string()
+            .contains('-')
+    );
+    assert!(
+        from_to(-0.5)
+            .in_lang(Lang::English)
+            .to_string()
+            .contains("-0.5")
+    );
+}
+
 /// Turns with arguments as programs have them. As many as the largest table of phrases has rows, for each turn takes
 /// another row of it.
 pub(crate) const PLAIN: usize = 8;

@@ -16,7 +16,7 @@ use crate::message::Driving;
 use crate::{Status, choices, interrupt, output, report};
 use clap::{Args, Subcommand};
 use record::Record;
-use robot::{Connection, Setup};
+use robot::{Connection, Setup, report_stiff};
 use scan::{Id, Scan};
 use simulated::FaultInjection;
 use std::fmt::Write as _;
@@ -26,7 +26,6 @@ use std::time::{Duration, Instant};
 use tip_drives::guard::{Request, Step};
 use tipc::description::Description;
 use tipc::message::Lang;
-use tipc::message::list::List;
 use zero::Zero;
 
 /// The command `tip drives`.
@@ -53,16 +52,6 @@ enum DrivesVerb {
     Monitor(Monitor),
     /// Simulate the servos of a robot on a pseudo-terminal
     Simulate(Simulate),
-}
-
-/// Says which servos an earlier command left stiff, where this one ends before its first torque: they stay so, because a robot that
-/// they hold must not fall.
-pub(crate) fn report_stiff(connection: &Connection, lang: Lang) {
-    let stiff = connection.robot().drives_mut().stiff();
-    if !stiff.is_empty() {
-        let joints = List(connection.setup.names(&stiff));
-        report::say(Driving::WereStiff { joints }, lang);
-    }
 }
 
 /// Time in which a signal arrives that was sent with an error of the terminal.
@@ -169,7 +158,7 @@ pub(crate) struct Simulate {
     /// Faults to inject, separated by commas
     ///
     /// faults, corrupt, drop, duplicate, delay or truncate=PROBABILITY of an answer;
-    /// unplug, reset, overheat, block or sag=ID@SECONDS
+    /// unplug, reset, overheat, block, sag or turn (by hand, by 20 deg)=ID@SECONDS
     #[arg(long, value_name = "LIST", default_value = "")]
     inject: String,
 

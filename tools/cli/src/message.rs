@@ -116,6 +116,9 @@ tipc::message_table! {
     ServeTrace
         "--trace of a served run needs a file: standard output has the address of the page",
         "配信中の実行の --trace にはファイルを指定してください。標準出力にはページのアドレスを書きます";
+    RecordAtStream
+        "--at adds to a program in a file: give its name after -o",
+        "--at はファイルのプログラムに加えます。-oの後にファイル名を指定してください";
     RecordPlace { text: String }
         "`{text}` is no place in a program: give the number of a line from 3 on, or `end`",
         "`{text}` はプログラムの位置として使えません。3以上の行番号か `end` を指定してください";
@@ -222,6 +225,9 @@ tipc::message_table! {
     ServeDrives
         "anyone with this address and a way to this machine can drive the robot, stop it, and run other programs on it; what they send is not encrypted: use a network of your own",
         "このアドレスを知り、このマシンに接続できる人は誰でも、ロボットの操縦・停止と別のプログラムの実行ができます。通信は暗号化されません。自分のネットワークで使ってください";
+    LessonOthers
+        "anyone with this address and a way to this machine can watch the robot and stop it; what they send is not encrypted: use a network of your own",
+        "このアドレスを知り、このマシンに接続できる人は誰でも、ロボットを見て、非常停止できます。通信は暗号化されません。自分のネットワークで使ってください";
     ServeEnds
         "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
@@ -700,6 +706,9 @@ tipc::message_table! {
     KeyPressed
         "RETURN, the emergency stop, was pressed",
         "RETURNキー(非常停止)が押されました";
+    PagePressed
+        "the emergency stop was pressed on the page",
+        "ページで非常停止が押されました";
 
     // The time of the stop, and the values.
     Moment { step: u32, cycle: SmolStr, time: SmolStr }
@@ -1007,8 +1016,8 @@ tipc::message_table! {
         "'simulated' needs the servos of a robot.toml: start `tip drives simulate robot.toml`, and give the port that it prints",
         "'simulated' にはrobot.tomlのサーボが必要です。`tip drives simulate robot.toml` を起動し、表示されるポートを指定してください";
     NotSimulated { text: String }
-        "`{text}` is not a list of faults: write faults=0.01 (or corrupt, drop, duplicate, delay, truncate) and unplug=ID@S (or reset, overheat, block, sag), separated by commas",
-        "`{text}` は故障の並びではありません。faults=0.01(または corrupt、drop、duplicate、delay、truncate)と unplug=ID@S(または reset、overheat、block、sag)をコンマで区切ってください";
+        "`{text}` is not a list of faults: write faults=0.01 (or corrupt, drop, duplicate, delay, truncate) and unplug=ID@S (or reset, overheat, block, sag, turn), separated by commas",
+        "`{text}` は故障の並びではありません。faults=0.01(または corrupt、drop、duplicate、delay、truncate)と unplug=ID@S(または reset、overheat、block、sag、turn)をコンマで区切ってください";
     NoServoToFail { text: String, id: u32 }
         "`{text}` can never happen: the robot has no servo {id}",
         "`{text}` は起こりません。サーボ{id}はありません";
@@ -1168,6 +1177,9 @@ tipc::message_table! {
     PoseNameAsked { number: usize }
         "name of pose {number}",
         "姿勢{number}の名前";
+    NotInAName { most: usize }
+        "a name has letters, digits and _, {most} at most",
+        "名前は英数字と _ で、{most}文字までです";
     NotAPoseName { name: String }
         "`{name}` cannot name a pose: use a letter, then letters, digits and _, 29 characters at most, and no name that the program has",
         "`{name}` は姿勢の名前に使えません。英字で始まる29文字以内の英数字と _ で、プログラムにまだない名前にしてください";
@@ -1207,9 +1219,12 @@ tipc::message_table! {
     RecordEndless { time: String }
         "the program has not ended after {time} s",
         "{time} sたってもプログラムが終わりません";
-    Recorded { file: Text, poses: usize }
-        "{file} has the motion now, with {poses} set points; it was tried in simulation",
-        "動きを{file}に書き込みました(目標点{poses}個、シミュレーション済み)";
+    Recorded { file: Text, points: usize }
+        "{file} has the motion now; it was tried in simulation. Number of set points: {points}",
+        "動きを{file}に書き込みました(目標点{points}個、シミュレーション済み)";
+    RecordedLines { file: Text, points: usize }
+        "{file} has the motion now; only its new lines were tried in simulation. Number of set points: {points}",
+        "動きを{file}に書き込みました(目標点{points}個)。シミュレーションで試したのは新しい行だけです";
     Simulates { servos: usize, port: Text }
         "{servos} simulated servos on {port}; Ctrl-C ends",
         "{port}に模擬サーボが{servos}台あります。Ctrl-Cで終わります";

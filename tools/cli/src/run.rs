@@ -8,8 +8,8 @@ mod summary;
 pub(super) mod trial;
 
 use super::arguments::RunArguments;
-use super::drives::robot::{Connection, Setup};
-use super::drives::{realtime, report_stiff};
+use super::drives::realtime;
+use super::drives::robot::{Connection, Setup, report_stiff};
 use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;

@@ -7,6 +7,8 @@ mod controls;
 mod hardware;
 mod hub;
 mod invitation;
+pub(crate) mod lesson;
+pub(crate) mod place;
 
 use crate::Action;
 use crate::arguments::RunArguments;
@@ -17,16 +19,16 @@ use crate::setup::RobotChoice;
 use crate::watch::Watch;
 use crate::{Status, input, interrupt, output, report, sticks, sweep};
 use clap::Args;
-use connections::{Content, Guard, Table};
-use hub::{Hub, HubEvent, HubSender};
-use std::io::{self, IsTerminal};
-use std::net::{SocketAddr, TcpListener};
+use connections::{Content, Table};
+use hub::{Hub, HubEvent, HubSender, LiveSession, Outbox};
+use place::{OWN, Place};
+use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 use std::{fs, thread};
 use tip_sim::Robot;
-use tip_view::live::{Host, Session, Setup};
+use tip_view::live::{CheckedText, ClientRequest, Host, Session, Setup, UncheckedText, Viewer};
 use tipc::embed::{LIMIT, open_file, read_stream};
 use tipc::message::{Lang, Reading};
 
@@ -60,7 +62,7 @@ pub(super) struct Serve {
     /// Address to listen on
     ///
     /// Port 0 selects a free one
-    #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]
+    #[arg(long, value_name = "ADDRESS:PORT", default_value = OWN)]
     listen: SocketAddr,
 
     /// Do not start the run until a viewer does
@@ -132,20 +134,20 @@ fn serve(arguments: &Serve) -> Result<Status, Error> {
     }
     match &arguments.hardware {
         Some(hardware) => {
-            let (follower, prepared, file, robot) = hardware::prepare(arguments, hardware)?;
-            let place = Place::bind(arguments)?;
+            let (follower, prepared, robot) = hardware::prepare(arguments, hardware)?;
+            let place = Place::bind(arguments.listen)?;
             let controls = Arc::clone(&prepared.controls);
-            let (hub, sender) = Hub::new(follower, file, robot, Some(controls));
-            place.open(arguments, sender)?;
+            let (hub, sender) = Hub::new(follower, robot, Some(controls));
+            open(place, arguments, sender)?;
             let control = prepared.start();
             hub.run();
             Ok(control.end())
         }
         None => {
-            let (session, file, robot) = arguments.session(path)?;
-            let place = Place::bind(arguments)?;
-            let (hub, sender) = Hub::new(session, file, robot, None);
-            place.open(arguments, sender)?;
+            let (simulated, robot) = arguments.session(path)?;
+            let place = Place::bind(arguments.listen)?;
+            let (hub, sender) = Hub::new(simulated, robot, None);
+            open(place, arguments, sender)?;
             hub.run();
             Ok(Status::Interrupted)
         }
@@ -161,8 +163,8 @@ fn table(arguments: &Serve, path: &Path) -> Result<Status, Error> {
     // A table that has no page is refused before its address is printed.
     sweep::page(path, true, lang)?;
     interrupt::catch();
-    let place = Place::bind(arguments)?;
-    place.announce(arguments, Using::ServeRuns)?;
+    let place = Place::bind(arguments.listen)?;
+    announce(&place, arguments, Using::ServeRuns)?;
     let table = Table::new(path.to_owned(), lang);
     connections::accept(place.listener, place.guard, Content::Table(table));
     while !interrupt::is_requested() {
@@ -171,64 +173,35 @@ fn table(arguments: &Serve, path: &Path) -> Result<Status, Error> {
     Ok(Status::Interrupted)
 }
 
-/// The place where the page is reached.
-struct Place {
-    listener: TcpListener,
-    guard: Guard,
+/// Prints the address of a page, and lets viewers in.
+fn open(place: Place, arguments: &Serve, sender: HubSender) -> Result<(), Error> {
+    announce(&place, arguments, Using::ServeOthers)?;
+    watch(&arguments.run.file, sender.clone())?;
+    connections::accept(place.listener, place.guard, Content::Run(sender));
+    Ok(())
 }
 
-impl Place {
-    /// Claims the address.
-    fn bind(arguments: &Serve) -> Result<Self, Error> {
-        let failed =
-            |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
-        let listener = TcpListener::bind(arguments.listen).map_err(failed)?;
-        let own = listener.local_addr().map_err(failed)?;
-        let guard = Guard::new(own).map_err(Error::Failed)?;
-        Ok(Place { listener, guard })
-    }
-
-    /// Shows the address for other machines, which a phone reads by its camera, if there is a terminal to show it on.
-    fn invite(&self) {
-        let own = self.listener.local_addr().ok();
-        let reached = own.and_then(invitation::reached_at);
-        let address = reached.map(|reached| self.guard.address_at(reached));
-        let address = address.filter(|_| io::stderr().is_terminal());
-        if let Some((code, address)) = address.and_then(|it| Some((invitation::code(&it)?, it))) {
-            report::complain(&format!("{address}\n{code}\n"));
+/// Prints the address, and a message about what anyone who knows it can do.
+fn announce(place: &Place, arguments: &Serve, others: Using) -> Result<(), Error> {
+    let lang = arguments.run.source.output_options.lang();
+    output::print(format!("{}\n", place.guard.address()))?;
+    if !place.guard.is_local() {
+        match arguments.hardware {
+            Some(_) => report::say(Using::ServeDrives, lang),
+            None if arguments.quiet => {}
+            None => report::say(others, lang),
         }
     }
-
-    /// Prints the address, and lets viewers in.
-    fn open(self, arguments: &Serve, sender: HubSender) -> Result<(), Error> {
-        self.announce(arguments, Using::ServeOthers)?;
-        watch(&arguments.run.file, sender.clone())?;
-        connections::accept(self.listener, self.guard, Content::Run(sender));
-        Ok(())
+    if !arguments.quiet {
+        place.invite();
+        report::say(Using::ServeEnds, lang);
     }
-
-    /// Prints the address, and a message about what anyone who knows it can do.
-    fn announce(&self, arguments: &Serve, others: Using) -> Result<(), Error> {
-        let lang = arguments.run.source.output_options.lang();
-        output::print(format!("{}\n", self.guard.address()))?;
-        if !self.guard.is_local() {
-            match arguments.hardware {
-                Some(_) => report::say(Using::ServeDrives, lang),
-                None if arguments.quiet => {}
-                None => report::say(others, lang),
-            }
-        }
-        if !arguments.quiet {
-            self.invite();
-            report::say(Using::ServeEnds, lang);
-        }
-        Ok(())
-    }
+    Ok(())
 }
 
 impl Serve {
-    /// Loads the program; returns its session, its file, and its robot.
-    fn session(&self, path: &Path) -> Result<(Session, ServedFile, Robot), Error> {
+    /// Loads the program; returns its session and its robot.
+    fn session(&self, path: &Path) -> Result<(Simulated, Robot), Error> {
         let (subject, setup, file) = self.subject(path)?;
         let events = match &subject.loaded.program {
             Some(program) => sticks::let_rest(program, setup.events),
@@ -240,7 +213,7 @@ impl Serve {
             session.play();
         }
         session.hand_over();
-        Ok((session, file, subject.robot))
+        Ok((Simulated { session, file }, subject.robot))
     }
 
     /// Loads the program; returns it with the setup of its session, and its file.
@@ -265,6 +238,41 @@ impl Serve {
             lang: source.output_options.lang(),
         };
         Ok((subject, setup, file))
+    }
+}
+
+/// The session of a simulated robot, with the file of its program.
+struct Simulated {
+    session: Session,
+    file: ServedFile,
+}
+
+impl LiveSession for Simulated {
+    fn advance(&mut self, elapsed: Duration, goes_on: &dyn Fn() -> bool) {
+        self.session
+            .advance(elapsed.as_secs_f64() * 1000.0, goes_on);
+    }
+
+    fn ask(&mut self, _: &Outbox, asked: &ClientRequest) -> Option<String> {
+        self.session.ask(asked, &mut self.file)
+    }
+
+    fn update(&self, _: &Outbox, viewer: &mut Viewer) -> Option<String> {
+        self.session.update(viewer)
+    }
+
+    fn unchecked(&mut self) -> Option<UncheckedText> {
+        self.session.unchecked()
+    }
+
+    fn checked(&mut self, reading: CheckedText) {
+        self.session.checked(reading);
+    }
+
+    fn file_changed(&mut self) {
+        if let Ok(bytes) = self.file.read() {
+            self.session.file_changed(&bytes);
+        }
     }
 }
 

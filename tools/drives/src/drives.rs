@@ -206,6 +206,8 @@ struct State {
     /// Error byte of the answers, and another one that came once.
     error: u8,
     other_error: Option<u8>,
+    /// Its alarms, in bits of its family.
+    alarm: u8,
     /// Answers in a row that say that the torque is off.
     off: u32,
     /// Begin of the last cycle in which the servo answered and its watchdog had not stopped it, µs.
@@ -317,6 +319,7 @@ impl<P: Port> Drives<P> {
             missing: 0,
             error: 0,
             other_error: None,
+            alarm: 0,
             off: 0,
             well: 0,
             sent: 0.0,
@@ -401,6 +404,11 @@ impl<P: Port> Drives<P> {
     /// Returns the number of answers of a joint's servo that were missing or damaged.
     pub fn missing(&self, joint: usize) -> Option<u64> {
         self.joints.get(joint).map(|state| state.missing)
+    }
+
+    /// Returns the alarms of a joint's servo, in bits of its family; 0 without one.
+    pub fn alarm(&self, joint: usize) -> Option<u8> {
+        self.joints.get(joint).map(|state| state.alarm)
     }
 
     /// Finds every servo, checks its model and its settings, takes over the delay of its answers, and reads its position. Nothing
@@ -726,12 +734,17 @@ impl<P: Port> Drives<P> {
                 checked.inspect_err(|_| self.period = former)?;
             }
         }
+        let is_torque = |command: &JointCommand| !matches!(command, JointCommand::Angle { .. });
+        let mut own = commands.iter().take(self.joints.len());
+        // Nothing is sent then, so that no joint counts as commanded.
+        if let Some(number) = own.position(is_torque) {
+            return self.fail(Some(number), Problem::Torque);
+        }
         let mut before: Vec<f64, MAX_SERVOS> = Vec::new();
-        for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
+        for (state, command) in self.joints.iter_mut().zip(commands) {
             let JointCommand::Angle { angle, .. } = *command else {
-                return self.fail(Some(number), Problem::Torque);
+                continue;
             };
-            let state = &mut self.joints[number];
             before.push(state.sent).ok();
             let Range { min, max } = state.joint.limits;
             let inside = angle.clamp(min, max);
@@ -926,6 +939,7 @@ impl<P: Port> Drives<P> {
         };
         let now = self.bus.now();
         let timeout = self.timeout().filter(|_| self.is_held);
+        let mut alarmed = None;
         for state in &mut self.joints {
             state.age = state.age.saturating_add(1);
         }
@@ -975,11 +989,16 @@ impl<P: Port> Drives<P> {
             } else {
                 state.well = self.begin;
             }
-            if family.alarms(error) != 0 {
-                let bits = family.alarm(&mut self.bus, id, error);
-                let bits = bits.unwrap_or_else(|_| family.alarms(error));
-                return self.fail(Some(*number), Problem::Alarm(bits));
+            let mut bits = family.alarms(error);
+            if bits != 0 {
+                bits = family.alarm(&mut self.bus, id, error).unwrap_or(bits);
+                // Other servos may have an alarm, too.
+                alarmed = alarmed.or(Some((*number, bits)));
             }
+            self.joints[*number].alarm = bits;
+        }
+        if let Some((number, bits)) = alarmed {
+            return self.fail(Some(number), Problem::Alarm(bits));
         }
         if self.is_held
             && let Some(number) = self.joints.iter().position(|state| state.off > 1)

@@ -64,7 +64,7 @@ pub const LEAVING_LIMIT: u64 = 3_000_000;
 /// Longest cycle of leaving, ms. A program may have set any sampling time.
 const LEAVING_PERIOD: f64 = 20.0;
 /// Cycles after the last command of an approach, in which the servos reach it.
-const SETTLING: u32 = 15;
+pub const SETTLING: u32 = 15;
 /// Cycles in which each servo is read once, where they are read one by one.
 const READINGS: u32 = 4;
 

@@ -106,9 +106,9 @@ tipc::message_table! {
     OpenChannel { channel: Text }
         "nothing is connected to channel {channel}",
         "チャンネル{channel}には何も接続されていません";
-    GiveInput { input: Text }
-        "give it a value in V: `--sensor {input}=2.5@0`",
-        "値(V)を `--sensor {input}=2.5@0` のように指定してください";
+    GiveInput { input: Text, volts: f64 }
+        "give it a value in V: `--sensor {input}={volts}@0`",
+        "値(V)を `--sensor {input}={volts}@0` のように指定してください";
 
     // SPECIAL.
     AnswersNone { robot: &'static str }

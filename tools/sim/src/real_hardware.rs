@@ -3,7 +3,7 @@
 //! Only joints are connected to the bus. Other inputs have the values that events give them. An input without a value
 //! is NaN, and a `Sensor fault` if a program reads it.
 
-use crate::event::Events;
+use crate::event::{Events, STICK_AT_REST};
 use crate::message::Linting;
 use crate::model::Distances;
 use crate::motion::Limbs;
@@ -90,13 +90,17 @@ impl Robot {
             let mut ports = inputs(&step.action, joints, soles).into_iter();
             let port = ports.find(|port| !is_given(*port))?;
             let input = Text::from(port.to_string());
+            let volts = match port {
+                Port::Knob(_) => STICK_AT_REST,
+                _ => 2.5,
+            };
             let diagnostic = |reason| Diagnostic::new(Code::Argument, statement.span, reason);
             Some(match port {
                 Port::Channel(_) => diagnostic(Linting::OpenChannel { channel: input }),
                 _ => diagnostic(Linting::NotConnected {
                     input: input.clone(),
                 })
-                .help(Linting::GiveInput { input }),
+                .help(Linting::GiveInput { input, volts }),
             })
         });
         read.collect()

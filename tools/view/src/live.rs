@@ -6,7 +6,7 @@
 //! seldom gets fewer and larger updates; nothing waits for it.
 //!
 //! A [`DrivenSession`] shows a run on the servos of a real robot, which goes forward alone. A [`Driver`] decides which of its viewers
-//! drives the robot, and what the silence of that one leads to.
+//! drives the robot, and what the silence of that one leads to. A [`LessonSession`] shows a robot that a hand teaches.
 //!
 //! ```
 //! use tip_view::live::{NoFile, Session, Setup, Viewer};
@@ -26,6 +26,7 @@
 
 mod driven;
 mod driver;
+mod lesson;
 mod request;
 mod runner;
 mod session;
@@ -34,6 +35,7 @@ mod viewer;
 
 pub use driven::{DrivenSession, LetRest, Order, Phase, Prepared, RobotState, ServoState};
 pub use driver::{ARMING, Driver, Rules, SIGN, STICKS, Sign, Stage};
+pub use lesson::{LessonPhase, LessonSession, LessonState};
 pub use request::{ClientRequest, Driving};
 pub use session::{Session, Setup};
 pub use text::{CheckedText, TextChecker, UncheckedText};

@@ -12,6 +12,8 @@ use super::zero::{positions, relax};
 use crate::error::Error;
 use crate::message::{Driving, Using};
 use crate::run::trial::trial;
+use crate::serve::lesson::LessonPage;
+use crate::serve::place::OWN;
 use crate::{Status, input, interrupt, output, report};
 use clap::Args;
 use existing::{Existing, Place};
@@ -19,15 +21,20 @@ use going::{Gone, go};
 use mirror::Mirror;
 use program::{Limits, Motion, Pose};
 use std::io::{self, IsTerminal, Write};
+use std::net::SocketAddr;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use thin::Sample;
 use tip_drives::bus::Wire;
 use tip_drives::drives::{Failure, Problem};
 use tip_drives::guard::Request;
 use tip_lint::format::format;
 use tip_runtime::command::Target;
+use tip_runtime::realtime::Pacer;
 use tip_runtime::record::AtomicFile;
 use tip_sim::Robot;
+use tip_view::live::{LessonPhase, LessonState};
 use tipc::language::{Edition, names, reserved};
 use tipc::message::Lang;
 use tipc::message::list::List;
@@ -37,6 +44,7 @@ use tipc::message::list::List;
   tip drives record robot.toml -o wave.prg                 pose by pose
   tip drives record robot.toml -o wave.prg --continuous    a motion as it is made
   tip drives record robot.toml -o walk.prg --at end        poses added to a program
+  tip drives record robot.toml -o wave.prg --listen        with a page that shows the robot
 
 The torque is off, from the first RETURN on: hold the robot. SPACE adds the pose in which it is, m its
 mirror image; < and > choose a pose, n names it, d deletes it; q, ESC, Ctrl-C and a fault end and write
@@ -78,6 +86,12 @@ pub(crate) struct Record {
     /// 0.2 to 45
     #[arg(long, value_name = "DEG", default_value = "1", value_parser = error, requires = "continuous")]
     error: f64,
+
+    /// Show the robot on a page, to this machine alone without an address
+    ///
+    /// Nobody teaches from the page; its emergency stop is for everybody who has the address. Port 0 selects a free one
+    #[arg(long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = OWN)]
+    listen: Option<SocketAddr>,
 }
 
 /// Parses the error of a motion.
@@ -101,6 +115,7 @@ pub(super) fn record(arguments: &Record) -> Result<Status, Error> {
     let robot = Robot::described(&arguments.robot.description()?);
     // A motion that was taught must not be lost for a file that cannot be written.
     let destination = arguments.begin(&robot)?;
+    let page = arguments.listen.map(LessonPage::at).transpose()?;
     let connection = arguments.robot.connect_to_measure()?;
     let stiff = connection.robot().drives_mut().stiff();
     let question = match stiff.is_empty() {
@@ -115,6 +130,11 @@ pub(super) fn record(arguments: &Record) -> Result<Status, Error> {
         return arguments.nothing();
     }
     relax(&connection, lang)?;
+    let page = page.map(|open| {
+        let stop = Arc::clone(&connection.robot().host_mut().stop);
+        let name = arguments.out.file_name().unwrap_or_default();
+        open(&robot, &name.to_string_lossy(), stop, lang)
+    });
     report::say(
         match arguments.continuous {
             true => Driving::RecordMotionHow,
@@ -126,7 +146,12 @@ pub(super) fn record(arguments: &Record) -> Result<Status, Error> {
         Destination::Existing(existing) => Some(&**existing),
         Destination::New(_) => None,
     };
-    let mut recording = Recording::new(&connection, &robot, existing, arguments.continuous, lang);
+    let mut recording = Recording {
+        page,
+        existing,
+        is_continuous: arguments.continuous,
+        ..Recording::new(&connection, &robot, lang)
+    };
     let ended = recording.until_the_end();
     connection.keyboard();
     // What was taught is kept, whatever ended it.
@@ -153,8 +178,13 @@ impl Record {
     fn begin(&self, robot: &Robot) -> Result<Destination, Error> {
         let (out, lang) = (&self.out, self.robot.lang());
         if let Some(place) = self.at {
+            if input::is_stream(out) {
+                return Err(Error::usage(Using::RecordAtStream, lang));
+            }
             let options = self.robot.output_options();
             let existing = Existing::read(out, place, robot, options)?;
+            // It is written at the end; here it is only tried.
+            output::begin(out).map_err(|error| Error::cannot_write(out, error))?;
             return Ok(Destination::Existing(Box::new(existing)));
         }
         if input::is_stream(out) {
@@ -225,48 +255,44 @@ impl Record {
                 report::write_stderr(&trial);
             }
         }
-        let (written, is_file) = match destination {
+        let (file, lang) = (name.into(), self.robot.lang());
+        let (written, lost, said) = match destination {
             Destination::New(None) => {
                 output::print(&text)?;
-                (Ok(()), false)
+                (Ok(()), text, None)
             }
             // Somebody has written the file meanwhile.
             Destination::New(Some(_)) if self.out.exists() && !self.force => {
-                let file = output::name(&self.out).into();
-                let taken = Driving::RecordTaken { file };
-                (Err(Error::failed(taken, self.robot.lang())), true)
+                let taken = Error::failed(Driving::RecordTaken { file }, lang);
+                (Err(taken), text, None)
             }
-            Destination::New(Some(mut file)) => {
-                let written = file.write_all(&text).and_then(|()| file.commit());
-                (
-                    written.map_err(|error| Error::cannot_write(&self.out, error)),
-                    true,
-                )
+            Destination::New(Some(mut out)) => {
+                let written = out.write_all(&text).and_then(|()| out.commit());
+                let written = written.map_err(|error| Error::cannot_write(&self.out, error));
+                (written, text, Some(Driving::Recorded { file, points }))
             }
             Destination::Existing(existing) => {
-                let whole = existing.with(&String::from_utf8_lossy(&text), robot);
-                loaded = whole.1;
-                let written = match loaded.program {
-                    None => Ok(output::print(&text)?),
-                    Some(_) => {
-                        output::update(&self.out, &existing.bytes(), &whole.0, self.robot.lang())
-                    }
+                let lines = existing.lines(&String::from_utf8_lossy(&text));
+                let (whole, read) = (existing.with(&lines), existing.bytes());
+                loaded = tip_lint::load(existing.name(), &whole, &robot.options());
+                robot.warn(&mut loaded);
+                let written = match loaded.program.is_some() {
+                    true => output::update(&self.out, &read, &whole, lang),
+                    false => Ok(output::print(&lines)?),
                 };
-                (written, true)
+                let said = Driving::RecordedLines { file, points };
+                (written, lines.into_bytes(), Some(said))
             }
         };
         if let Err(error) = written {
-            output::print(&text)?;
+            output::print(&lost)?;
             return Err(error);
         }
         // It has too many lines, for example.
         if loaded.program.is_none() {
             return Err(Error::Refused(Box::new(loaded), options));
         }
-        if is_file {
-            let (file, poses) = (name.into(), points);
-            output::say(Driving::Recorded { file, poses }, self.robot.lang())?;
-        }
+        said.map_or(Ok(()), |said| output::say(said, lang))?;
         Ok(Status::Success)
     }
 }
@@ -287,6 +313,12 @@ fn limits(connection: &Connection, robot: &Robot) -> Limits {
 
 /// The end of a lesson, with the status of the command if the robot was stopped.
 struct Ended(Option<Status>);
+
+/// The longest name of a pose: the names of its variables end with `_F1`, for example.
+const NAME_LIMIT: usize = names::LIMIT - 3;
+
+/// The byte at which a terminal rings.
+const BELL: &[u8] = b"\x07";
 
 /// Bytes of keys that delete a character.
 const BACKSPACE: u8 = 0x08;
@@ -316,22 +348,22 @@ struct Recording<'a> {
     /// The pose that is shown, and since when, µs.
     shown: String,
     shown_at: u64,
+    /// The page that shows the robot.
+    page: Option<LessonPage>,
+    /// What is wrong with the robot.
+    failure: Option<Failure>,
+    /// Servos that are simulated keep real time by it.
+    pacer: Pacer,
 }
 
 impl<'a> Recording<'a> {
-    fn new(
-        connection: &'a Connection,
-        robot: &Robot,
-        existing: Option<&'a Existing>,
-        is_continuous: bool,
-        lang: Lang,
-    ) -> Self {
+    fn new(connection: &'a Connection, robot: &Robot, lang: Lang) -> Self {
         Recording {
             connection,
             mirror: Mirror::of(&robot.description()),
-            existing,
+            existing: None,
             lang,
-            is_continuous,
+            is_continuous: false,
             samples: vec![],
             poses: vec![],
             chosen: 0,
@@ -341,6 +373,9 @@ impl<'a> Recording<'a> {
             is_outside: false,
             shown: String::new(),
             shown_at: 0,
+            page: None,
+            failure: None,
+            pacer: Pacer::start(),
         }
     }
 
@@ -348,7 +383,12 @@ impl<'a> Recording<'a> {
     /// if the robot was stopped on its way to a pose.
     fn until_the_end(&mut self) -> Result<Option<Status>, Error> {
         let ended = loop {
-            if let Err(failure) = self.connection.measure() {
+            // The stop of a page stops nothing: there is no torque.
+            let order = Ordering::Relaxed;
+            self.connection.robot().host_mut().stop.store(false, order);
+            self.connection.pace(&mut self.pacer);
+            self.failure = self.connection.measure().err();
+            if let Some(failure) = self.failure {
                 if matches!(failure.problem, Problem::Port | Problem::Alarm(_)) {
                     break Err(self.connection.failed(failure));
                 }
@@ -357,6 +397,7 @@ impl<'a> Recording<'a> {
             }
             self.sample();
             self.show();
+            self.show_page(LessonPhase::Limp, self.chosen);
             let request = self.connection.request();
             if request == Some(Request::End) {
                 break Ok(None);
@@ -381,10 +422,16 @@ impl<'a> Recording<'a> {
             if let Some(name) = &mut self.naming {
                 match key {
                     BACKSPACE | DELETE => drop(name.pop()),
-                    b'!'..=b'~' if name.len() < names::LIMIT => {
+                    b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' if name.len() < NAME_LIMIT => {
                         name.push(char::from(key.to_ascii_uppercase()));
                     }
-                    _ => {}
+                    // The bytes of a character after its first one.
+                    0x80..=0xBF => {}
+                    _ => {
+                        self.end_line();
+                        let _ = io::stderr().write_all(BELL);
+                        self.say(Driving::NotInAName { most: NAME_LIMIT });
+                    }
                 }
                 continue;
             }
@@ -432,7 +479,13 @@ impl<'a> Recording<'a> {
         }
         let begun = self.now();
         self.end_line();
-        let gone = go(self.connection, &ways, self.lang)?;
+        let first = if is_all { 0 } else { self.chosen };
+        let (connection, lang) = (self.connection, self.lang);
+        self.failure = None;
+        let gone = go(connection, &ways, lang, &mut |phase, place| {
+            connection.pace(&mut self.pacer);
+            self.show_page(phase, first + place);
+        })?;
         self.moved += (self.now() - begun) as f64 / 1000.0;
         Ok(match gone {
             Gone::Left(status) => Some(Ended(status)),
@@ -441,6 +494,23 @@ impl<'a> Recording<'a> {
                 None
             }
         })
+    }
+
+    /// Shows the robot on the page, if there is one, with the pose that its state is about.
+    fn show_page(&mut self, phase: LessonPhase, chosen: usize) {
+        let Some(page) = &mut self.page else { return };
+        let (connection, failure) = (self.connection, self.failure);
+        page.show(|| {
+            let state = LessonState {
+                phase,
+                poses: self.poses.iter().map(|pose| pose.name.clone()).collect(),
+                chosen,
+                samples: self.is_continuous.then_some(self.samples.len()),
+                servos: connection.servos(failure),
+                problem: failure.map(|failure| connection.explain(failure)),
+            };
+            (connection.angles(), state)
+        });
     }
 
     /// Chooses a pose, if there is one at this place.
@@ -632,7 +702,7 @@ impl<'a> Recording<'a> {
                 number: self.chosen + 1,
             };
             // The blanks overwrite the end of a longer name that was shown before.
-            let width = names::LIMIT + 1;
+            let width = NAME_LIMIT + 1;
             return format!("{}: {name:width$}", asked.in_lang(self.lang));
         }
         let setup = &self.connection.setup;

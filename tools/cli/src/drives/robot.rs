@@ -23,7 +23,9 @@ use tip_runtime::console::Terminal;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::plant::Gap;
+use tip_runtime::realtime::Pacer;
 use tip_sim::Joints;
+use tip_view::live::ServoState;
 use tipc::description::Description;
 use tipc::message::Lang;
 use tipc::message::list::List;
@@ -319,6 +321,46 @@ impl Connection {
         joints.map(angle).collect()
     }
 
+    /// Waits until a cycle is over where the servos are simulated, whose bus takes no time.
+    pub(crate) fn pace(&self, pacer: &mut Pacer) {
+        if self.is_simulated {
+            realtime::wait_until(pacer.due(self.period()));
+        }
+    }
+
+    /// Returns the state of each servo as a page shows it, where this is wrong with the robot.
+    pub(crate) fn servos(&self, failure: Option<Failure>) -> Vec<ServoState> {
+        let robot = self.robot();
+        let drives = robot.drives();
+        let joints = self.setup.joints.iter().enumerate();
+        joints
+            .map(|(place, joint)| {
+                let measured = drives.measured(place);
+                let age = drives.age(place).unwrap_or_default();
+                let alarm = drives.alarm(place).filter(|bits| *bits != 0);
+                let alarm = alarm.map(|bits| Failure {
+                    joint: Some(place),
+                    servo: Some(joint.id),
+                    problem: Problem::Alarm(bits),
+                });
+                let own = failure.filter(|failure| failure.joint == Some(place));
+                ServoState {
+                    joint: self.setup.name(place),
+                    id: joint.id,
+                    angle: drives
+                        .angle(place)
+                        .filter(|_| age <= self.setup.bus.silence),
+                    load: measured.and_then(|it| it.load),
+                    voltage: measured.and_then(|it| it.voltage),
+                    temperature: measured.and_then(|it| it.temperature),
+                    age,
+                    missing: drives.missing(place).unwrap_or_default(),
+                    problem: alarm.or(own).map(|failure| self.explain(failure)),
+                }
+            })
+            .collect()
+    }
+
     /// Says where the joints will go before the program starts.
     pub(crate) fn announce(&self) {
         let robot = self.robot();
@@ -380,7 +422,7 @@ impl Connection {
             Ok(Step::Moving | Step::Arrived) => return None,
             Ok(Step::Left(Request::End)) => Status::Interrupted,
             Ok(Step::Left(Request::EmergencyStop)) => {
-                report::say(Stopping::KeyPressed, self.lang);
+                self.say_stopped();
                 Status::Emergency
             }
             Err(failure) => {
@@ -394,9 +436,19 @@ impl Connection {
         };
         self.finish();
         if status == Status::Failure {
-            super::report_stiff(self, self.lang);
+            report_stiff(self, self.lang);
         }
         Some(status)
+    }
+
+    /// Says who has pressed the emergency stop.
+    fn say_stopped(&self) {
+        let by_page = self.robot().host_mut().stop.load(Ordering::Relaxed);
+        let pressed = match by_page {
+            true => Stopping::PagePressed,
+            false => Stopping::KeyPressed,
+        };
+        report::say(pressed, self.lang);
     }
 
     /// Returns the joints for a run.
@@ -423,8 +475,9 @@ impl Connection {
         let complaint = lines(left, self.lang);
         report::complain(&complaint);
         let is_stopped = robot.is_stopped() && !was_stopped;
+        drop(robot);
         if is_stopped {
-            report::say(Stopping::KeyPressed, self.lang);
+            self.say_stopped();
         }
         Finished {
             is_stopped,
@@ -548,6 +601,16 @@ impl Connection {
             Problem::NotHeld => Driving::NotHeld,
         };
         message.in_lang(self.lang).to_string()
+    }
+}
+
+/// Says which servos an earlier command left stiff, where this one ends before its first torque: they stay so, because a robot that
+/// they hold must not fall.
+pub(crate) fn report_stiff(connection: &Connection, lang: Lang) {
+    let stiff = connection.robot().drives_mut().stiff();
+    if !stiff.is_empty() {
+        let joints = List(connection.setup.names(&stiff));
+        report::say(Driving::WereStiff { joints }, lang);
     }
 }
 

@@ -206,7 +206,7 @@ pub(super) fn scan(arguments: &Scan) -> Result<Status, Error> {
                 break;
             }
             let wire: &mut dyn Wire = &mut bus;
-            let number = match wire.repeat(|wire| family.identify(wire, id)) {
+            let number = match twice(wire, |wire| wire.repeat(|wire| family.identify(wire, id))) {
                 Ok(number) => number,
                 Err(BusError::NoAnswer) => continue,
                 Err(error) => return Err(Error::Failed(error.to_string())),
@@ -218,7 +218,7 @@ pub(super) fn scan(arguments: &Scan) -> Result<Status, Error> {
                 continue;
             }
             let shown = |value: Option<String>| value.unwrap_or_else(|| "?".to_owned());
-            let delay = family.return_delay(&mut bus, id).ok();
+            let delay = twice(&mut bus, |wire| family.return_delay(wire, id)).ok();
             let volts = reading.and_then(|it| it.voltage);
             let celsius = reading.and_then(|it| it.temperature);
             // Writing to a String cannot fail.
@@ -259,6 +259,28 @@ pub(super) fn scan(arguments: &Scan) -> Result<Status, Error> {
         true => Status::Interrupted,
         false => Status::Success,
     })
+}
+
+/// Number of times that a servo is asked for two equal answers in a row.
+const READINGS: u32 = 8;
+
+/// Asks until two answers in a row are equal: a checksum of 8 bits lets some damaged ones pass, and what is read here leads people to
+/// write registers. The last answer counts if no two are equal.
+fn twice<T: PartialEq>(
+    wire: &mut dyn Wire,
+    ask: impl Fn(&mut dyn Wire) -> Result<T, BusError>,
+) -> Result<T, BusError> {
+    let mut answer = ask(wire)?;
+    for _ in 1..READINGS {
+        // A servo that is silent now has answered before.
+        let Ok(again) = ask(wire) else { continue };
+        let is_equal = again == answer;
+        answer = again;
+        if is_equal {
+            break;
+        }
+    }
+    Ok(answer)
 }
 
 /// Reads what a servo measures; a few times, because some do not tell everything in one answer.
@@ -318,7 +340,8 @@ pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
     let mut bus = arguments.port.bus()?;
     let failed = |error: BusError| Error::Failed(error.to_string());
     let wire: &mut dyn Wire = &mut bus;
-    let number = match wire.repeat(|wire| family.identify(wire, from)) {
+    let identify = |wire: &mut dyn Wire| wire.repeat(|wire| family.identify(wire, from));
+    let number = match twice(wire, identify) {
         Err(BusError::NoAnswer) => {
             let heard = family_that_answers(&mut bus, family, from);
             let (id, name) = (from.into(), family.name());
@@ -381,4 +404,39 @@ pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
     };
     output::say(renamed, lang)?;
     Ok(Status::Success)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+    use tip_drives::simulated::{MemoryPort, SimulatedBus};
+
+    /// An answer counts when it comes twice in a row; silence between them does not part them.
+    #[test]
+    fn an_answer_counts_when_it_is_repeated() {
+        let timing = Timing {
+            baud: 1_000_000,
+            return_delay: 0,
+            latency: 0,
+        };
+        let mut bus = Bus::new(
+            MemoryPort::new(SimulatedBus::new(Vec::new(), timing)),
+            timing,
+        );
+        for (answers, answer, left) in [
+            (&[Some(500), Some(0), Some(0), Some(9)][..], Ok(0), 1),
+            (&[Some(7), None, Some(7), Some(9)], Ok(7), 1),
+            (&[None, Some(7), Some(7)], Err(BusError::NoAnswer), 2),
+            (&[Some(1), Some(2)], Ok(2), 0),
+        ] {
+            let answers = RefCell::new(answers.iter());
+            let ask = |_: &mut dyn Wire| {
+                let next = answers.borrow_mut().next().copied().flatten();
+                next.ok_or(BusError::NoAnswer)
+            };
+            assert_eq!(twice(&mut bus, ask), answer);
+            assert_eq!(answers.borrow().len(), left, "{answer:?}");
+        }
+    }
 }

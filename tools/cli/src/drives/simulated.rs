@@ -6,6 +6,9 @@ use crate::message::Driving;
 use tip_drives::simulated::{Faults, SimulatedBus};
 use tipc::message::Lang;
 
+/// The angle by which a hand turns a servo, deg.
+const TURN: f64 = 20.0;
+
 type Fault = fn(&mut SimulatedBus, u8);
 
 /// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`, or `corrupt=0.01`.
@@ -57,6 +60,7 @@ impl FaultInjection {
                 "overheat" => SimulatedBus::overheat,
                 "block" => SimulatedBus::block,
                 "sag" => SimulatedBus::sag,
+                "turn" => |bus, id| bus.turn(id, TURN),
                 _ => return Err(wrong()),
             };
             let (id, time) = value.split_once('@').ok_or_else(wrong)?;

@@ -7,8 +7,7 @@ mod control;
 use super::controls::Controls;
 use super::hub::{LiveSession, Outbox};
 use super::{Serve, ServedFile};
-use crate::drives::report_stiff;
-use crate::drives::robot::{Connection, Setup};
+use crate::drives::robot::{Connection, Setup, report_stiff};
 use crate::error::Error;
 use crate::message::{Driving, Using};
 use crate::setup::ChosenRobot;
@@ -21,12 +20,13 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 use tip_sim::Robot;
 use tip_view::live::{
-    CheckedText, ClientRequest, DrivenSession, Order, Rules, UncheckedText, Viewer,
+    CheckedText, ClientRequest, DrivenSession, Host, Order, Rules, UncheckedText, Viewer,
 };
 
 /// The session of a robot on servos: it follows the control cycle.
 pub(super) struct Follower {
     session: DrivenSession,
+    file: ServedFile,
     controls: Arc<Controls>,
     orders: Sender<Order>,
     reports: Receiver<Report>,
@@ -51,14 +51,9 @@ impl LiveSession for Follower {
         }
     }
 
-    fn ask(
-        &mut self,
-        viewer: &Outbox,
-        asked: &ClientRequest,
-        file: &mut ServedFile,
-    ) -> Option<String> {
+    fn ask(&mut self, viewer: &Outbox, asked: &ClientRequest) -> Option<String> {
         let is_holder = self.controls.driver().holder() == Some(viewer.number);
-        self.session.ask(asked, is_holder, file)
+        self.session.ask(asked, is_holder, &mut self.file)
     }
 
     fn update(&self, outbox: &Outbox, viewer: &mut Viewer) -> Option<String> {
@@ -74,8 +69,10 @@ impl LiveSession for Follower {
         self.session.checked(reading);
     }
 
-    fn file_changed(&mut self, bytes: &[u8]) {
-        self.session.file_changed(bytes);
+    fn file_changed(&mut self) {
+        if let Ok(bytes) = self.file.read() {
+            self.session.file_changed(&bytes);
+        }
     }
 }
 
@@ -122,7 +119,7 @@ impl Drop for RunningControl {
 pub(super) fn prepare(
     arguments: &Serve,
     file: &Path,
-) -> Result<(Follower, Prepared, ServedFile, Robot), Error> {
+) -> Result<(Follower, Prepared, Robot), Error> {
     interrupt::catch();
     let lang = arguments.run.source.output_options.lang();
     let path = arguments.run.file.as_path();
@@ -146,6 +143,8 @@ pub(super) fn prepare(
             return Err(Error::usage(Using::ServeTrace, lang));
         }
         output::refuse_inputs(trace, &arguments.run.files())?;
+        // Each run begins it anew; here it is only tried.
+        output::begin(trace).map_err(|error| Error::cannot_write(trace, error))?;
     }
     if subject.loaded.program.is_none() {
         return Err(Error::Refused(Box::new(subject.loaded), output_options));
@@ -174,6 +173,7 @@ pub(super) fn prepare(
     );
     let follower = Follower {
         session,
+        file: served,
         controls: Arc::clone(&controls),
         orders,
         reports: reported,
@@ -183,7 +183,7 @@ pub(super) fn prepare(
         controls,
         has_priority: arguments.fifo,
     };
-    Ok((follower, prepared, served, robot))
+    Ok((follower, prepared, robot))
 }
 
 /// Finds the servos, and says where they will go.

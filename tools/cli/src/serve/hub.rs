@@ -2,7 +2,6 @@
 //! viewers parse requests, and one thread checks texts, so that the run goes on meanwhile.
 
 use crate::interrupt;
-use crate::serve::ServedFile;
 use crate::serve::controls::Controls;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -11,9 +10,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 use tip_sim::Robot;
-use tip_view::live::{
-    CheckedText, ClientRequest, Host, Session, TextChecker, UncheckedText, Viewer,
-};
+use tip_view::live::{CheckedText, ClientRequest, TextChecker, UncheckedText, Viewer};
 
 /// Time between two advances of the run.
 const TICK: Duration = Duration::from_millis(4);
@@ -52,43 +49,17 @@ pub(super) trait LiveSession {
     /// Lets time pass, as long as `goes_on` agrees.
     fn advance(&mut self, elapsed: Duration, goes_on: &dyn Fn() -> bool);
     /// Does what a viewer asks for; no answer if the thread that checks texts has to give it, or to check the text first.
-    fn ask(
-        &mut self,
-        viewer: &Outbox,
-        asked: &ClientRequest,
-        file: &mut ServedFile,
-    ) -> Option<String>;
+    fn ask(&mut self, viewer: &Outbox, asked: &ClientRequest) -> Option<String>;
     /// Returns the next update for a viewer; none if it has everything.
     fn update(&self, outbox: &Outbox, viewer: &mut Viewer) -> Option<String>;
-    fn unchecked(&mut self) -> Option<UncheckedText>;
-    fn checked(&mut self, reading: CheckedText);
-    fn file_changed(&mut self, bytes: &[u8]);
-}
-
-impl LiveSession for Session {
-    fn advance(&mut self, elapsed: Duration, goes_on: &dyn Fn() -> bool) {
-        self.advance(elapsed.as_secs_f64() * 1000.0, goes_on);
-    }
-
-    fn ask(&mut self, _: &Outbox, asked: &ClientRequest, file: &mut ServedFile) -> Option<String> {
-        self.ask(asked, file)
-    }
-
-    fn update(&self, _: &Outbox, viewer: &mut Viewer) -> Option<String> {
-        self.update(viewer)
-    }
-
+    /// Returns the text that is to be checked, once.
     fn unchecked(&mut self) -> Option<UncheckedText> {
-        self.unchecked()
+        None
     }
-
-    fn checked(&mut self, reading: CheckedText) {
-        self.checked(reading);
-    }
-
-    fn file_changed(&mut self, bytes: &[u8]) {
-        self.file_changed(bytes);
-    }
+    /// Takes what was found in a text.
+    fn checked(&mut self, _: CheckedText) {}
+    /// Reads the file, which may have changed.
+    fn file_changed(&mut self) {}
 }
 
 /// The sending end of the hub. It never blocks: viewers that send too much are refused.
@@ -145,7 +116,6 @@ impl HubSender {
 /// The session and its viewers.
 pub(super) struct Hub<S> {
     session: S,
-    file: ServedFile,
     events: Receiver<HubEvent>,
     /// Emergency stops, which overtake all other events.
     stops: Receiver<(Arc<Outbox>, ClientRequest)>,
@@ -159,7 +129,6 @@ impl<S: LiveSession> Hub<S> {
     /// Returns a hub and its sending end. The session does not check texts.
     pub(super) fn new(
         session: S,
-        file: ServedFile,
         robot: Robot,
         controls: Option<Arc<Controls>>,
     ) -> (Self, HubSender) {
@@ -176,7 +145,6 @@ impl<S: LiveSession> Hub<S> {
         thread::spawn(move || queue.work(TextChecker::new(robot), &own));
         let hub = Hub {
             session,
-            file,
             events: received,
             stops: received_stops,
             stopped: Arc::clone(&sender.stopped),
@@ -233,7 +201,7 @@ impl<S: LiveSession> Hub<S> {
                 by: Arc::downgrade(&outbox),
                 since: Instant::now(),
             });
-            if let Some(answer) = self.session.ask(&outbox, &asked, &mut self.file) {
+            if let Some(answer) = self.session.ask(&outbox, &asked) {
                 outbox.put(answer);
             }
         }
@@ -259,11 +227,7 @@ impl<S: LiveSession> Hub<S> {
                 self.handle_request(outbox, asked, stops)
             }
             HubEvent::Checked(reading) => self.session.checked(reading),
-            HubEvent::FileChanged => {
-                if let Ok(bytes) = self.file.read() {
-                    self.session.file_changed(&bytes);
-                }
-            }
+            HubEvent::FileChanged => self.session.file_changed(),
         }
         self.queue_text();
     }
@@ -281,7 +245,7 @@ impl<S: LiveSession> Hub<S> {
         let answer = if asked.moves() && (is_late || self.is_held(&outbox)) {
             Some(asked.refused_stopped())
         } else {
-            self.session.ask(&outbox, &asked, &mut self.file)
+            self.session.ask(&outbox, &asked)
         };
         match answer {
             Some(answer) => outbox.answer(answer),

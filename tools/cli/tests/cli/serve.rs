@@ -1,6 +1,6 @@
 //! `tip serve`: what viewers at WebSockets see and do.
 
-mod client;
+pub(crate) mod client;
 mod driving;
 mod editing;
 mod hostile;

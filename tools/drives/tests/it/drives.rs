@@ -387,6 +387,31 @@ fn a_hot_servo_stops_the_robot() {
     }
 }
 
+/// Bit 2 of the error byte of an AX is its temperature alarm. A servo takes seconds to get hot.
+#[test]
+fn each_servo_with_an_alarm_is_known() {
+    let settings = Settings {
+        temperature: 120.0,
+        ..Settings::default()
+    };
+    let mut drives = robot_with("AX-12", 4, Faults::default(), settings);
+    drives.connect().expect("well");
+    let bus = &mut drives.bus_mut().port_mut().bus;
+    bus.overheat(2);
+    bus.overheat(4);
+    let mut found = None;
+    for number in START..START + 250 {
+        drives.bus_mut().port_mut().pass(number * 20_000);
+        found = drives.read_cycle().err();
+        drives.clear_failure();
+    }
+    let failure = found.expect("two alarms");
+    assert_eq!(failure.problem, Problem::Alarm(4));
+    let alarms: Vec<_> = (0..4).map(|joint| drives.alarm(joint)).collect();
+    assert_eq!(alarms, [Some(0), Some(4), Some(0), Some(4)]);
+    assert_eq!(drives.alarm(4), None);
+}
+
 #[test]
 fn commands_are_limited_in_angle_and_in_step() {
     let mut drives = held("STS3215", 2, Faults::default());
@@ -426,6 +451,23 @@ fn no_torque_can_be_commanded() {
     let mut drives = held("STS3215", 1, Faults::default());
     let refused = drives.write_cycle(&[JointCommand::Torque(1.0)], PERIOD);
     assert_eq!(refused.map_err(|it| it.problem), Err(Problem::Torque));
+}
+
+/// A joint goes 3.6 deg in a cycle of 20 ms at 180 deg/s. Register 42 of an STS is its goal.
+#[test]
+fn a_joint_beside_one_with_a_torque_does_not_count_as_commanded() {
+    let mut drives = held("STS3215", 2, Faults::default());
+    let to = JointCommand::at(60.0);
+    let refused = drives.write_cycle(&[to, JointCommand::Torque(1.0)], PERIOD);
+    let failure = refused.expect_err("a torque");
+    assert_eq!((failure.joint, failure.problem), (Some(1), Problem::Torque));
+    drives
+        .write_cycle(&[to, JointCommand::at(0.0)], PERIOD)
+        .expect("two angles");
+    let goal = drives.joints().next().map(|joint| joint.counts(3.6));
+    let goal = goal.expect("a joint") as u32;
+    let servo = &drives.bus_mut().port_mut().bus.servos()[0];
+    assert_eq!(servo.register(42, 2), Some(goal));
 }
 
 #[test]

@@ -12,6 +12,12 @@ use tip_drives::simulated::MemoryPort;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::Part;
 
+/// Returns the robot of a description that has a bus.
+fn described(text: &str) -> Described {
+    let description = described::read("robot.toml", text.as_bytes()).expect("right");
+    Described::new(&description).expect("it has a bus")
+}
+
 /// A robot of two joints.
 fn robot(at_end: &str) -> Described {
     let text = format!(
@@ -32,8 +38,7 @@ joint = \"J12\"
 id = 2
 "
     );
-    let description = described::read("robot.toml", text.as_bytes()).expect("right");
-    Described::new(&description).expect("it has a bus")
+    described(&text)
 }
 
 /// Connects to the simulated servos of a robot whose program writes its signals here.
@@ -105,8 +110,7 @@ joint = \"J22\"
 id = 4
 "
     );
-    let description = described::read("robot.toml", text.as_bytes()).expect("right");
-    Described::new(&description).expect("it has a bus")
+    described(&text)
 }
 
 /// Goals of the servos as their registers have them: register 30 of an AX, two bytes.

@@ -147,7 +147,7 @@ fn a_program_that_reads_an_absent_input_is_refused_before_the_robot_moves() -> O
                 .map(|help| help.in_lang(Lang::English).to_string());
             assert_eq!(
                 help.as_deref(),
-                Some("give it a value in V: `--sensor VR1=2.5@0`")
+                Some("give it a value in V: `--sensor VR1=5@0`")
             );
         }
     }

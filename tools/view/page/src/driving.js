@@ -1,4 +1,4 @@
-// Driving a robot on servos: the button that is held, signs of life, the sticks and a gamepad, and what the servos measure.
+// Drives a robot on servos by a button that is held, sticks and a gamepad. It sends signs of life, and shows the servos.
 
 import { element, fixed } from './dom.js';
 import { gamepad } from './gamepad.js';
@@ -7,12 +7,12 @@ import { whenSpoken, word } from './words.js';
 
 /** Time between two signs of life: ms. */
 const SIGN = 100;
-/** How long the button is held at most until the robot starts: ms. */
+/** Longest time for which the button is held until the robot starts, ms. */
 const STARTS = 1500;
 /** Readings of the sticks at rest: V. */
 const REST = 5;
 
-/** What the button and the robot say, by phase and stage. */
+/** Texts about the robot, by phase and stage. */
 const SAYS = {
   ready: () => 'robotReady',
   approach: (stage) => (stage === 'driven' ? 'robotApproach' : 'robotWaits'),
@@ -27,7 +27,7 @@ export class Driving {
     this.robot = undefined;
     this.servos = new Servos();
     this.sticks = [REST, REST, REST];
-    // The number of the press that lasts, and of the last one.
+    // `press` is the number of the press that lasts, or 0. `last` is that of the last one.
     [this.press, this.last] = [0, 0];
   }
 
@@ -68,7 +68,7 @@ export class Driving {
       if (!event.repeat) this.hold();
     });
     button.addEventListener('keyup', () => this.release());
-    // Nobody tells of a release elsewhere.
+    // The page does not hear of a release elsewhere.
     window.addEventListener('blur', () => this.release());
     document.addEventListener('visibilitychange', () => this.release());
     this.requests.session.watch?.(() => this.release());
@@ -88,7 +88,7 @@ export class Driving {
     return document.visibilityState === 'visible' && document.hasFocus();
   }
 
-  /** The button is pressed: a new press, which alone moves a robot that rests. */
+  /** Begins a new press of the button. Only a new press moves a robot that rests. */
   hold() {
     if (!this.robot?.driver || this.press || !this.isHere) return;
     this.last += 1;
@@ -105,7 +105,7 @@ export class Driving {
     this.show();
   }
 
-  /** A sign of life, from a page that is seen. */
+  /** Sends a sign of life if the page is seen. */
   sign() {
     if (!this.robot?.driver) return;
     if (!this.isHere) this.release();

@@ -7,6 +7,7 @@ import { Editor } from './editor.js';
 import { showFigures } from './figures.js';
 import { FollowingPlayer } from './following.js';
 import { choices, dialogs, keys, languages, notice, observeSize, openStage, showTab, tabs, themes } from './page.js';
+import { Lesson } from './lesson.js';
 import { LIVE_WORDS } from './live-words.js';
 import { Plots } from './plots.js';
 import { Recording } from './recording.js';
@@ -50,6 +51,7 @@ export function openLive(session, stage) {
     findings: (update) => page.editor.takeFindings(update),
     status: (update) => page.status(update),
     robot: (update) => page.robot(update),
+    lesson: (update) => page.lesson(update),
   };
   session.listen((update) => takes[update.type]?.(update));
   session.watch?.((reached) => {
@@ -85,7 +87,7 @@ function build(requests, recording, stage) {
     constant: (name) => editor.constantOf(name),
     write: (name, value) => notice(editor.writeConstant(name, value)),
   });
-  const driving = new Driving(requests);
+  const [driving, lesson] = [new Driving(requests), new Lesson()];
   const knobs = controls(requests, recording, driving);
 
   const showNames = () => {
@@ -187,6 +189,7 @@ function build(requests, recording, stage) {
       player.goesForward = true;
       driving.take(update);
     },
+    lesson: (update) => lesson.take(update),
     status(update) {
       status = update;
       recording.outcome = update.outcome ?? { how: 'limit' };

@@ -1,4 +1,4 @@
-// The player: the present time of a recording, and its changes.
+// The player keeps the present time of a recording, and changes it.
 
 /** Time between two updates of details while the player moves, ms. */
 const SELDOM = 90;
@@ -12,7 +12,7 @@ export class Player {
    */
   constructor(recording, other, changes) {
     Object.assign(this, { recording, other, changes });
-    // Undefined if times of both runs are equal.
+    // The alignment is undefined if times of both runs are equal.
     this.alignment = undefined;
     this.time = recording.endOf(0);
     this.speed = 1;
@@ -26,17 +26,17 @@ export class Player {
     return Math.min(this.place, this.recording.cycles - 1);
   }
 
-  /** The present cycle. It counts on after the recording's end while the other one continues. */
+  /** Returns the present cycle. It counts on after the recording's end while the other one continues. */
   get place() {
     return this.recording.countAt(this.time);
   }
 
-  /** The last cycle of the longer recording. */
+  /** Returns the last cycle of the longer recording. */
   get lastPlace() {
     return this.recording.countAt(this.end);
   }
 
-  /** The end of the recording that ends last, ms. */
+  /** Returns the end of the recording that ends last, ms. */
   get end() {
     return Math.max(this.recording.duration, this.other ? this.ownTime(this.other.duration) : 0);
   }
@@ -51,13 +51,13 @@ export class Player {
     return this.alignment?.toOwn(time) ?? time;
   }
 
-  /** The runs with their present times and cycles, which stay at their ends. */
+  /** Returns the runs with their present times and cycles. A run that is over stays at its end. */
   get runs() {
     const at = (recording, time) => ({ recording, time: Math.min(time, recording.duration), cycle: recording.cycleAt(time) });
     return [at(this.recording, this.time), ...(this.other ? [at(this.other, this.otherTime(this.time))] : [])];
   }
 
-  /** The marks of both runs in order of time: `{ cycle, kind, value, run, time }`. `time` is that of the player, ms. */
+  /** Returns the marks of both runs in order of time: `{ cycle, kind, value, run, time }`. `time` is that of the player, ms. */
   get marks() {
     const of = ({ recording }, run) => recording.marks.map((mark) => ({ ...mark, run, time: run ? this.ownTime(recording.endOf(mark.cycle)) : recording.endOf(mark.cycle) }));
     return this.runs.flatMap(of).sort((one, other) => one.time - other.time);
@@ -68,7 +68,7 @@ export class Player {
     this.listeners.push(listener);
   }
 
-  /** Calls a function for details that nobody reads in motion: now and then while the player moves, at once when it stops. */
+  /** Calls a function for details that nobody reads in motion. It is called now and then while the player moves, and when it stops. */
   onRest(listener) {
     let [last, due] = [0, undefined];
     const call = () => {

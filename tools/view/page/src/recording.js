@@ -216,7 +216,7 @@ export class Recording {
     return [...messages, ...of('fall', 'fall'), ...collisions, ...slips, ...of('event', 'event'), ...stop].sort((one, other) => one.cycle - other.cycle);
   }
 
-  /** How far a foot that had slipped so far in a cycle slipped until it was lifted: mm. */
+  /** Returns the slip of a foot until it was lifted, mm, from its slip in a cycle. */
   largestSlip(leg, cycle, distance) {
     const slips = this.columns[`slip.${leg}`] ?? [];
     let largest = distance;

@@ -51,11 +51,14 @@
 //   robot      {driver, held, asked, hold, stage, phase, servos, answers, late, stopped_in, problem}: a robot on servos.
 //              `driver`: this viewer drives; `held`: somebody drives; `asked`: another viewer asks to drive; `hold`: the button
 //              is needed; `phase`: ready, approach, running, leaving or left; `stage`: driven, paused, halt or emergency;
-//              `servos`: each has `joint`, `id`, `angle`, `load`, `voltage`, `temperature` and `age`; `answers`: asked for and
+//              `servos`: each has `joint`, `id`, `angle`, `load`, `voltage`, `temperature`, `age`, `missing` and `problem`; `answers`: asked for and
 //              got; `late`: number of late cycles; `stopped_in`: ms that the emergency stop took; `problem`: what is wrong
+//   lesson     {phase, poses, chosen, samples, servos, problem}: a robot that a hand teaches, whose posture is the only cycle of
+//              the run. `phase`: limp, goes or holds; `poses`: their names; `chosen`: the place of the pose that is chosen, or
+//              to which the robot goes; `samples`: number of samples of a motion, or null; `servos` and `problem` as above
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
 //              over, many, stale, errors, unspelled, unsaved, unread, flood, and of a robot on servos
-//              watching, hold, forward, moving, still or simulated; `detail` says more
+//              watching, hold, forward, moving, still, simulated or taught; `detail` says more
 
 // Keys of the log, with their values. A value holds until the next one; a key without entries is left out. Legs, fingers and
 // threads count from 1 in keys, as in programs, but for those of slips:

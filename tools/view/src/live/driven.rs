@@ -64,7 +64,7 @@ pub struct ServoState {
     pub joint: String,
     /// Identity on the bus.
     pub id: u8,
-    /// deg
+    /// deg; `None` where the last answer is too old.
     pub angle: Option<f64>,
     /// Part of the stall torque.
     pub load: Option<f64>,
@@ -76,6 +76,8 @@ pub struct ServoState {
     pub age: u32,
     /// Number of answers that were missing or damaged.
     pub missing: u64,
+    /// Its alarms, or what else is wrong with it.
+    pub problem: Option<String>,
 }
 
 /// The state of a robot on servos.
@@ -159,7 +161,9 @@ impl DrivenSession {
             let refused = tip_lint::load(buffer.name(), &setup.bytes, &setup.options);
             return Err(Box::new(refused));
         };
-        let recorder = preview(&loaded, &setup.robot).map_err(|_| Box::new(loaded.clone()))?;
+        let events = rested(let_rest, &loaded, &setup.events);
+        let recorder = preview(&loaded, &setup.robot, &events);
+        let recorder = recorder.map_err(|_| Box::new(loaded.clone()))?;
         let mut session = DrivenSession {
             robot: setup.robot,
             events: setup.events,
@@ -189,10 +193,7 @@ impl DrivenSession {
         else {
             return refuse("errors");
         };
-        let events = match &loaded.program {
-            Some(program) => (self.let_rest)(program, self.events.clone()),
-            None => self.events.clone(),
-        };
+        let events = rested(self.let_rest, &loaded, &self.events);
         if let Some(open) = self.robot.unconnected(&loaded, &events).first() {
             return refuse_since("impossible", open.message());
         }
@@ -273,7 +274,8 @@ impl DrivenSession {
         let Some(loaded) = self.buffer.program() else {
             return refuse("errors");
         };
-        let shown = preview(loaded, &self.robot);
+        let events = rested(self.let_rest, loaded, &self.events);
+        let shown = preview(loaded, &self.robot, &events);
         let recorder = shown.or_else(|reason| refuse_since("impossible", reason))?;
         self.prepare()?;
         self.recorder = recorder;
@@ -383,14 +385,23 @@ impl DrivenSession {
     }
 }
 
+/// Returns the events of a program whose sticks rest.
+fn rested(let_rest: LetRest, loaded: &Loaded, events: &Events) -> Events {
+    match &loaded.program {
+        Some(program) => let_rest(program, events.clone()),
+        None => events.clone(),
+    }
+}
+
 /// Returns a recording of the initial posture, by the first cycle of a simulated run: before the start there is something to see.
-fn preview(loaded: &Loaded, robot: &Robot) -> Result<Recorder, RecordError> {
+fn preview(loaded: &Loaded, robot: &Robot, events: &Events) -> Result<Recorder, RecordError> {
     let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
     let run = Run::new(Interpreter::new(program.clone()), robot.clone());
     let mut run = run.map_err(RecordError::Mismatch)?;
     let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
     let cycle = run.cycle();
     recorder.take(cycle, &run, None);
+    recorder.recording.events = events.all().to_vec();
     Ok(recorder)
 }
 

@@ -16,18 +16,18 @@ const MOST_ENTRIES: usize = 20_000;
 #[derive(Clone, Debug, Default)]
 pub struct Viewer {
     /// The run that it sees; the first one is 1.
-    run: u64,
+    pub(super) run: u64,
     /// Cycle of that run up to which the viewer has everything.
     cycle: u64,
     /// Number of times that the run had been taken back.
-    cuts: u64,
+    pub(super) cuts: u64,
     /// The text, by version.
     text: u64,
     /// Version of the text whose diagnostics the viewer has.
     findings: u64,
     /// Status of the run.
     status: String,
-    /// State of a robot on servos.
+    /// State of a robot on servos, or of a lesson.
     pub(super) robot: String,
 }
 

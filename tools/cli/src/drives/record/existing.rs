@@ -40,8 +40,10 @@ const FIRST: u32 = 3;
 #[derive(Debug)]
 pub(super) struct Existing {
     loaded: Loaded,
-    /// The line before which the motion is inserted, from 1.
-    line: u32,
+    /// The byte before which the motion is inserted.
+    at: usize,
+    /// True if the statements before it are on its line.
+    is_inside: bool,
     words: HashSet<String>,
 }
 
@@ -65,23 +67,37 @@ impl Existing {
         if program.edition() == Edition::V3_1 {
             return Err(Error::failed(Driving::RecordEdition { file: file() }, lang));
         }
-        let end = program.steps().last().map_or(FIRST, |step| step.line);
-        let line = match place {
-            Place::End => end,
-            Place::Line(line) if line <= end => line,
-            Place::Line(line) => {
-                let file = file();
-                return Err(Error::failed(
-                    Driving::RecordBeyond { file, line, end },
-                    lang,
-                ));
+        let source = &loaded.source;
+        let end = loaded.module.statements.last();
+        let (line, span) = end.map_or((FIRST, Span::new(0, 0)), |end| (end.line, end.span));
+        let begin = |line: u32| {
+            let line = source.lines().nth(line as usize - 1);
+            line.map_or(source.text().len(), |line| line.span.start)
+        };
+        let at = match place {
+            Place::End => {
+                let is_first = source
+                    .slice(Span::new(begin(line), span.start))
+                    .trim()
+                    .is_empty();
+                if is_first { begin(line) } else { span.start }
+            }
+            Place::Line(place) if place <= line => begin(place),
+            Place::Line(place) => {
+                let beyond = Driving::RecordBeyond {
+                    file: file(),
+                    line: place,
+                    end: line,
+                };
+                return Err(Error::failed(beyond, lang));
             }
         };
         let is_apart = |char: char| !char.is_ascii_alphanumeric() && char != '_';
-        let words = loaded.source.text().split(is_apart);
+        let words = source.text().split(is_apart);
         Ok(Existing {
             words: words.map(str::to_ascii_uppercase).collect(),
-            line,
+            is_inside: source.lines().all(|line| line.span.start != at),
+            at,
             loaded,
         })
     }
@@ -96,39 +112,55 @@ impl Existing {
         self.words.contains(word)
     }
 
-    /// Returns this program with the statements of another one in it, indented as the line that follows them, and the warnings and
-    /// errors of both together.
-    pub(super) fn with(&self, other: &str, robot: &Robot) -> (Vec<u8>, Loaded) {
-        let source = &self.loaded.source;
-        let lines = source.lines();
-        let before = lines.clone().nth(self.line as usize - 1);
-        let (start, text) = before.map_or((source.text().len(), ""), |line| {
-            (line.span.start, source.slice(line.span))
-        });
-        let indent = &text[..text.len() - text.trim_start_matches([' ', '\t']).len()];
-        let line_end = lines.map(|line| source.slice(line.end)).next();
-        let line_end = line_end.filter(|end| !end.is_empty()).unwrap_or("\n");
-        let mut block = String::new();
+    /// Returns the name of the program in messages.
+    pub(super) fn name(&self) -> &str {
+        self.loaded.source.name()
+    }
+
+    /// Returns the statements of another program as lines of this one, indented as the line before which they will stand.
+    pub(super) fn lines(&self, other: &str) -> String {
+        let (line_end, indent) = (self.line_end(), self.indent());
+        let mut lines = String::new();
         // The last line of the other program is its END.
-        let statements = other
-            .trim_end()
-            .rsplit_once('\n')
-            .map_or("", |(all, _)| all);
+        let statements = other.trim_end().rsplit_once('\n');
+        let statements = statements.map_or("", |(all, _)| all);
         for (number, line) in (1..).zip(statements.lines()) {
             match number {
                 1 => continue,
-                2 => block += &format!("{indent}// {line}"),
+                2 => lines += &format!("{indent}// {line}"),
                 _ if line.is_empty() => {}
-                _ => block += &format!("{indent}{line}"),
+                _ => lines += &format!("{indent}{line}"),
             }
-            block += line_end;
+            lines += line_end;
         }
-        block += line_end;
-        let inserted = [(Span::new(start, start), block.as_str())];
-        let bytes = source.changed(inserted.into_iter());
-        let mut loaded = tip_lint::load(source.name(), &bytes, &robot.options());
-        robot.warn(&mut loaded);
-        (bytes, loaded)
+        lines + line_end
+    }
+
+    /// Returns the end of the lines of this program.
+    fn line_end(&self) -> &str {
+        let source = &self.loaded.source;
+        let mut ends = source.lines().map(|line| source.slice(line.end));
+        ends.next().filter(|end| !end.is_empty()).unwrap_or("\n")
+    }
+
+    /// Returns the blanks at the beginning of the line before which, or inside of which, lines are inserted.
+    fn indent(&self) -> &str {
+        let source = &self.loaded.source;
+        let mut lines = source.lines().map(|line| line.span);
+        let line = lines.find(|span| (span.start..=span.end).contains(&self.at));
+        let text = line.map_or("", |span| source.slice(span));
+        &text[..text.len() - text.trim_start_matches([' ', '\t']).len()]
+    }
+
+    /// Returns the bytes of this program with lines inserted. A line that has statements before END is parted there.
+    pub(super) fn with(&self, lines: &str) -> Vec<u8> {
+        let at = Span::new(self.at, self.at);
+        let text = match self.is_inside {
+            true => format!("{}{lines}{}", self.line_end(), self.indent()),
+            false => lines.to_owned(),
+        };
+        let inserted = [(at, text.as_str())];
+        self.loaded.source.changed(inserted.into_iter())
     }
 }
 

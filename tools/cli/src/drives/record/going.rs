@@ -7,7 +7,8 @@ use crate::error::Error;
 use crate::message::Driving;
 use crate::report;
 use tip_drives::drives::Failure;
-use tip_drives::guard::Step;
+use tip_drives::guard::{SETTLING, Step};
+use tip_view::live::LessonPhase;
 use tipc::message::Lang;
 
 /// The key that switches the torque off.
@@ -25,11 +26,19 @@ pub(super) enum Gone {
     Left(Option<Status>),
 }
 
+/// Shows in each cycle what the robot does, and the place of the pose that it goes to or holds.
+type Show<'a> = &'a mut dyn FnMut(LessonPhase, usize);
+
 /// Moves a robot through poses and holds the last one until the key that releases it.
 ///
 /// # Errors
 /// A servo has not confirmed that its torque is off.
-pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Result<Gone, Error> {
+pub(super) fn go(
+    connection: &Connection,
+    poses: &[Vec<f64>],
+    lang: Lang,
+    show: Show<'_>,
+) -> Result<Gone, Error> {
     let complain = |failure| report::complain(&format!("{}\n", connection.explain(failure)));
     let connected = connection.robot().connect();
     if let Err(failure) = connected {
@@ -38,7 +47,7 @@ pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Res
     }
     connection.take_over(true);
     let mut ends = false;
-    let step = through(connection, poses, &mut ends, lang);
+    let step = through(connection, poses, &mut ends, lang, show);
     if let Err(failure) = step
         && !connection.robot().has_torque()
         && !connection.robot().is_stopped()
@@ -70,13 +79,17 @@ fn through(
     poses: &[Vec<f64>],
     ends: &mut bool,
     lang: Lang,
+    show: Show<'_>,
 ) -> Result<Step, Failure> {
     let speed = connection.setup.bus.start;
     report::say(Driving::PoseGoes { speed }, lang);
     let mut step = connection.robot().hold()?;
-    for pose in poses {
-        if !matches!(step, Step::Left(_)) {
-            step = connection.robot().reach(pose, speed)?;
+    for (place, pose) in poses.iter().enumerate() {
+        let mut settled = 0;
+        while settled < SETTLING && !matches!(step, Step::Left(_)) {
+            step = connection.robot().step(pose, speed)?;
+            settled += u32::from(step == Step::Arrived);
+            show(LessonPhase::Goes, place);
         }
     }
     let Some(last) = poses.last().filter(|_| !matches!(step, Step::Left(_))) else {
@@ -92,6 +105,7 @@ fn through(
             break;
         }
         step = connection.robot().step(last, speed)?;
+        show(LessonPhase::Holds, poses.len() - 1);
     }
     Ok(step)
 }

@@ -2,8 +2,7 @@
 //! state in which they are left, and again from there.
 
 use crate::drives::realtime::{self, wait_until};
-use crate::drives::report_stiff;
-use crate::drives::robot::Connection;
+use crate::drives::robot::{Connection, report_stiff};
 use crate::run::files::Trace;
 use crate::serve::controls::Controls;
 use crate::{Status, input, interrupt, report, sticks};
@@ -13,23 +12,19 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::{Duration, Instant};
 use tip_drives::drives::Failure;
-use tip_drives::guard::{Request, Step};
+use tip_drives::guard::{Request, SETTLING, Step};
 use tip_runtime::command::Port;
 use tip_runtime::console::{Console, Terminal};
 use tip_runtime::realtime::Pacer;
 use tip_runtime::record::Ending;
 use tip_sim::{Cycle, Event, Interpreter, Robot, Run, Snapshot, Timed};
-use tip_view::live::{
-    DrivenSession, Order, Phase, Prepared, RobotState, STICKS, ServoState, Stage,
-};
+use tip_view::live::{DrivenSession, Order, Phase, Prepared, RobotState, STICKS, Stage};
 use tipc::message::Lang;
 
 /// Time between two measurements of a robot that does not move.
 const MEASURING: Duration = Duration::from_millis(50);
 /// Time between two reports of all servos.
 const REPORTING: Duration = Duration::from_millis(200);
-/// Cycles after the last command of the way to the initial posture, in which the servos reach it.
-const SETTLING: u32 = 15;
 /// Most orders of one cycle.
 const MAX_ORDERS: usize = 64;
 /// The byte of the key RETURN.
@@ -339,9 +334,7 @@ impl Control {
             };
             settled += u32::from(step == Step::Arrived);
             self.report_servos();
-            if self.connection.is_simulated() {
-                wait_until(pacer.due(self.connection.period()));
-            }
+            self.connection.pace(&mut pacer);
         }
     }
 
@@ -476,22 +469,7 @@ impl Control {
         self.due = now + REPORTING;
         let robot = self.connection.robot();
         let drives = robot.drives();
-        let servos = self.connection.setup.joints.iter().enumerate();
-        self.state.servos = servos
-            .map(|(place, joint)| {
-                let measured = drives.measured(place);
-                ServoState {
-                    joint: self.connection.setup.name(place),
-                    id: joint.id,
-                    angle: drives.angle(place),
-                    load: measured.and_then(|it| it.load),
-                    voltage: measured.and_then(|it| it.voltage),
-                    temperature: measured.and_then(|it| it.temperature),
-                    age: drives.age(place).unwrap_or_default(),
-                    missing: drives.missing(place).unwrap_or_default(),
-                }
-            })
-            .collect();
+        let failure = drives.failure();
         let counts = drives.counts();
         let cycles = counts.commanded.saturating_sub(self.reported.1);
         let busy = counts.busy.saturating_sub(self.reported.0) as f64 / 1000.0;
@@ -500,6 +478,7 @@ impl Control {
         let counters = drives.bus().counters();
         self.state.answers = [counters.asked, counters.answered];
         drop(robot);
+        self.state.servos = self.connection.servos(failure);
         let state = Box::new(self.state.clone());
         self.tell(Report::State(state, self.stage));
     }

@@ -88,28 +88,12 @@ impl Server {
         target: &str,
         origin: Option<&str>,
     ) -> Result<WebSocket<TcpStream>, u16> {
-        let address = format!("ws://{}{target}", self.host());
-        let mut request = address.into_client_request().expect("a request");
-        if let Some(origin) = origin {
-            let origin = HeaderValue::from_str(origin).expect("a value");
-            request.headers_mut().insert("Origin", origin);
-        }
-        let stream = TcpStream::connect(self.host()).expect("it listens");
-        stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
-        match tungstenite::client(request, stream) {
-            Ok((socket, _)) => Ok(socket),
-            Err(tungstenite::HandshakeError::Failure(Error::Http(reply))) => {
-                Err(reply.status().as_u16())
-            }
-            Err(error) => panic!("{error}"),
-        }
+        open(self.host(), target, origin)
     }
 
     /// A viewer, as the page makes one.
     pub(super) fn viewer(&self) -> Socket {
-        let origin = format!("http://{}", self.host());
-        let socket = self.open(&self.target("/live"), Some(&origin));
-        Socket::new(socket.expect("it may come in"))
+        Socket::of(&self.address)
     }
 
     /// Suspends the process, and lets it go on.
@@ -134,8 +118,27 @@ impl Drop for Server {
     }
 }
 
+/// Opens a WebSocket at `127.0.0.1:PORT` as a page of this origin does; the status if it is refused.
+fn open(host: &str, target: &str, origin: Option<&str>) -> Result<WebSocket<TcpStream>, u16> {
+    let address = format!("ws://{host}{target}");
+    let mut request = address.into_client_request().expect("a request");
+    if let Some(origin) = origin {
+        let origin = HeaderValue::from_str(origin).expect("a value");
+        request.headers_mut().insert("Origin", origin);
+    }
+    let stream = TcpStream::connect(host).expect("it listens");
+    stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
+    match tungstenite::client(request, stream) {
+        Ok((socket, _)) => Ok(socket),
+        Err(tungstenite::HandshakeError::Failure(Error::Http(reply))) => {
+            Err(reply.status().as_u16())
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
 /// A viewer, and what it knows.
-pub(super) struct Socket {
+pub(crate) struct Socket {
     pub(super) socket: WebSocket<TcpStream>,
     id: u64,
     pub(super) run: u64,
@@ -148,11 +151,26 @@ pub(super) struct Socket {
     pub(super) version: u64,
     pub(super) findings: Value,
     pub(super) status: Value,
-    /// The state of a robot on servos.
-    pub(super) robot: Value,
+    /// The state of a robot on servos, or of a lesson.
+    pub(crate) robot: Value,
 }
 
 impl Socket {
+    /// A viewer, as the page at an address makes one.
+    pub(crate) fn of(address: &str) -> Self {
+        let rest = address.strip_prefix("http://").expect("an address");
+        let (host, query) = rest.split_once("/?").expect("a token");
+        let origin = format!("http://{host}");
+        let socket = open(host, &format!("/live?{query}"), Some(&origin));
+        Socket::new(socket.expect("it may come in"))
+    }
+
+    /// The newest motion, in hundredths of mm or deg.
+    pub(crate) fn motion(&self) -> &[i64] {
+        let newest = self.frames.last_key_value();
+        newest.map_or(&[], |(_, motion)| motion)
+    }
+
     fn new(socket: WebSocket<TcpStream>) -> Self {
         Socket {
             socket,
@@ -229,7 +247,7 @@ impl Socket {
             }
             "findings" => self.findings = update.clone(),
             "status" => self.status = update.clone(),
-            "robot" => self.robot = update.clone(),
+            "robot" | "lesson" => self.robot = update.clone(),
             "answer" => {}
             other => panic!("{other}"),
         }
@@ -260,7 +278,7 @@ impl Socket {
 
     /// Takes updates until it knows something.
     #[track_caller]
-    pub(super) fn until(&mut self, knows: impl Fn(&Self) -> bool) {
+    pub(crate) fn until(&mut self, knows: impl Fn(&Self) -> bool) {
         let end = Instant::now() + PATIENCE;
         while !knows(self) {
             assert!(
@@ -274,7 +292,7 @@ impl Socket {
     }
 
     /// Asks for something, and returns the answer.
-    pub(super) fn ask(&mut self, mut request: Value) -> Value {
+    pub(crate) fn ask(&mut self, mut request: Value) -> Value {
         self.id += 1;
         request["id"] = json!(self.id);
         self.say(&request.to_string());
@@ -287,7 +305,7 @@ impl Socket {
     }
 
     #[track_caller]
-    pub(super) fn does(&mut self, request: Value) {
+    pub(crate) fn does(&mut self, request: Value) {
         let answer = self.ask(request);
         assert_eq!(answer["ok"], true, "{answer}");
     }

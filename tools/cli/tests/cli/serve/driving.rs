@@ -510,7 +510,7 @@ fn the_key_of_the_terminal_starts_and_stops_the_robot() {
 #[test]
 fn what_cannot_be_driven_is_refused_before_anything_moves() {
     let folder = Folder::new("serve-drive-not")
-        .file("robot.toml", leg("relax", "hold", ""))
+        .file("robot.toml", leg("relax", "hold", "temperature = 95"))
         .program("one.prg", "DEF_VAR V\nAD_IN VR1 V\nEND")
         .program("p.prg", STEERED);
     let hardware = ["serve", "one.prg", "--hardware", "robot.toml"];
@@ -530,12 +530,27 @@ fn what_cannot_be_driven_is_refused_before_anything_moves() {
     folder
         .tip(&["serve", "p.prg", "--port", "simulated"])
         .expect(2);
+    let trace = ["--port", "simulated", "--trace", "missing/real.jsonl"];
+    let outcome = folder.tip(&[&hardware[..], &trace].concat()).expect(1);
+    let said = "error: cannot write missing/real.jsonl";
+    assert!(
+        outcome.err.contains(said) && outcome.out.is_empty(),
+        "{outcome:?}"
+    );
     let servers = Server::begin(
         &folder,
-        &[&hardware[1..], &["--port", "simulated"]].concat(),
+        &[&hardware[1..], &["--port", "simulated:overheat=2@0.2"]].concat(),
     );
     let mut page = servers.viewer();
     page.until(|page| page.robot["phase"] == "ready");
+    // The alarm of a servo is shown at it.
+    page.until(|page| page.robot["servos"][1]["problem"].is_string());
+    let problems = [0, 1, 2].map(|servo| page.robot["servos"][servo]["problem"].to_string());
+    assert!(
+        problems[1].contains("J12 (servo 2) has the alarm"),
+        "{problems:?}"
+    );
+    assert_eq!([&*problems[0], &problems[2]], ["null"; 2]);
     drop(page);
     assert_eq!(servers.end(), Some(130));
 }

@@ -156,3 +156,18 @@ fn a_program_that_reads_what_nothing_drives_is_not_prepared() {
     let setup = Setup::new("reads.prg", text, robot);
     assert!(DrivenSession::new(setup, |_, events| events).is_err());
 }
+
+/// Before the start the page has the inputs with which the program will begin, so that its sticks show that they rest.
+#[test]
+fn sticks_rest_before_the_start() {
+    let robot = Robot::named("titan8").expect("it has a name");
+    let text = b"3.1\nreads\nDEF_VAR V\nAD_IN VR1 V\nEND\n";
+    let setup = Setup::new("reads.prg", text, robot);
+    let rests = |_: &_, _| "0:VR1=5".parse().expect("an event");
+    let session = DrivenSession::new(setup, rests).expect("VR1 is driven");
+    let (mut viewer, driver) = (Viewer::default(), Driver::new(Rules::default()));
+    let updates = std::iter::from_fn(|| session.update(&mut viewer, 7, &driver));
+    let updates = updates.map(|update| serde_json::from_str(&update).expect("JSON"));
+    let updates: Vec<Value> = updates.collect();
+    assert_eq!(updates[1]["log"]["event"], json!([[0], ["VR1=5"]]));
+}
