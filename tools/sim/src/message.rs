@@ -599,6 +599,9 @@ tipc::message_table! {
     Slider
         "the prismatic joints that end in link floor became the slider that carries the floor (FLOOR)",
         "リンクfloorに至る直動関節を、床を載せるスライダ(FLOOR)にしました";
+    NotCompared { pairs: List }
+        "not compared: pairs of parts that overlap in the initial posture, so that nothing reports or stops their collisions: {pairs}; give the links a smaller `radius` or their `shape`, or list pairs that may touch in `may_touch`",
+        "比較しないもの: 初期姿勢で重なる部分の組。この組の干渉は報告も停止もされません: {pairs}。リンクの `radius` を小さくするか、`shape` を書くか、触れてもよい組を `may_touch` に書いてください";
     BodyMass
         "assumed: the body weighs 1 kg",
         "仮定: 胴体の質量は1 kg";

@@ -36,6 +36,10 @@ pub(super) fn go(connection: &Connection, poses: &[Vec<f64>], lang: Lang) -> Res
         complain(failure);
         return Ok(Gone::Limp);
     }
+    if let Some(reason) = connection.refusal_of_way(poses) {
+        report::complain(&format!("{reason}\n"));
+        return Ok(Gone::Limp);
+    }
     connection.take_over(true);
     let mut ends = false;
     let step = through(connection, poses, &mut ends, lang);
