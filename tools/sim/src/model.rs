@@ -132,11 +132,7 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {
         match simulation {
-            Simulation::QuasiStatic => {
-                let plant = SimulatedPlant::new(self).with_floor(scene.floor);
-                let plant = plant.with_friction(scene.friction);
-                OfSize::boxed(plant.with_blocks(scene.blocks))
-            }
+            Simulation::QuasiStatic => OfSize::boxed(SimulatedPlant::new(self).with_scene(scene)),
             Simulation::Dynamic => OfSize::boxed(DynamicPlant::new(self).with_scene(scene)),
         }
     }
