@@ -482,6 +482,9 @@ tipc::message_table! {
     PostureOfFile { name: String }
         "the initial posture is that of keyframe {name}",
         "初期姿勢はキーフレーム{name}の姿勢です";
+    PostureOutside { joints: List }
+        "doubtful: the keyframe is outside of the limits of these joints, and the initial posture is at their ends: {joints}",
+        "要確認: キーフレームが次の関節の限界を超えるので、初期姿勢は限界の端にします: {joints}";
     PostureFalls { name: String }
         "doubtful: the robot falls in the posture of keyframe {name}",
         "要確認: キーフレーム{name}の姿勢では倒れます";
