@@ -19,6 +19,8 @@
 //! ```
 
 mod cuboid;
+#[cfg(feature = "std")]
+mod distances;
 pub mod dynamic;
 pub mod hand;
 pub mod self_collision;
@@ -29,6 +31,8 @@ pub use crate::analog::volts_of_load;
 pub use crate::scene::{
     BLOCKS, Block, Floor, OBJECTS, Object, Scene, SceneError, Shape, Simulation,
 };
+#[cfg(feature = "std")]
+pub use distances::Distances;
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
 pub use self_collision::{Clearance, Gap, SelfCollision};

@@ -20,13 +20,16 @@ LIMIT = 1e-9  # m
 
 
 def load(path):
-    """The model without meshes, which need not be there; and True if it lost masses with them."""
+    """The model without meshes, which need not be there, and with little mass where only meshes had some; and True if so."""
     spec = mujoco.MjSpec.from_file(str(path))
     lost = False
     for geom in list(spec.geoms):
         if geom.type in (mujoco.mjtGeom.mjGEOM_MESH, mujoco.mjtGeom.mjGEOM_HFIELD, mujoco.mjtGeom.mjGEOM_SDF) or geom.meshname:
-            lost |= not geom.parent.explicitinertial
+            body = geom.parent
             spec.delete(geom)
+            if not body.explicitinertial and all(rest.mass == 0 for rest in body.geoms):
+                lost = True
+                body.explicitinertial, body.mass, body.inertia = True, 1e-3, [1e-6, 1e-6, 1e-6]
     for assets in (spec.meshes, spec.hfields, spec.textures, spec.materials, spec.skins):
         for asset in list(assets):
             spec.delete(asset)
@@ -95,7 +98,9 @@ def judge(tip, path, options):
             axes = best_axes(places, theirs)
         apart = max(apart, max(numpy.linalg.norm(axes @ there - here) for here, there in zip(places, theirs)) / 1000)
     mass = sum(joint["mass"] for leg in robot["leg"] for joint in leg["joint"]) + robot.get("body", {}).get("mass", 0.0)
-    total = float(model.body_subtreemass[base])
+    # The base of a robot that is bolted down is no part of its description.
+    first = (model.jnt_bodyid[model.joint(joints[0]).id] for _, (joints, _, _) in legs)
+    total = model.body_subtreemass[base] if "body" in robot else sum(model.body_subtreemass[body] for body in first)
     falls = "the robot falls in its initial posture" in imported.stderr
     line = f"{len(legs)} legs of {len(legs[0][1][0])}, {POSTURES} postures, feet within {apart:.1e} m, {mass:.6g} kg of {total:.6g}"
     if "body" in robot:

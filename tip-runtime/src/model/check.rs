@@ -107,11 +107,11 @@ impl<const L: usize, const J: usize> Model<L, J> {
                 (1..=L).contains(&usize::from(*leg)) && (1..=J).contains(&usize::from(*joint))
             }
         };
-        let parts = self.may_touch.iter().flatten().flatten();
+        let mut pairs = self.may_touch.iter().flatten();
         robot(
-            parts.into_iter().all(has),
+            pairs.all(|[one, other]| has(one) && has(other) && one != other),
             "may_touch",
-            "must be parts of the robot",
+            "must be pairs of different parts of the robot",
         )?;
         check_standards(&self.standards, self.periods)?;
         self.forces.as_ref().map_or(Ok(()), check_forces)?;

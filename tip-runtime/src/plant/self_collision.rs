@@ -125,6 +125,12 @@ impl<const L: usize, const J: usize> SelfCollision<L, J> {
         nearest(self.body.as_ref(), self.capsules.iter(), &lines)
     }
 
+    /// Calls `found` with each pair of a robot that is not compared for the sole reason that it overlaps in the initial posture, and
+    /// with its distance there, which is below 0.
+    pub fn left_out(model: &Model<L, J>, found: &mut dyn FnMut(Gap)) {
+        choose_pairs(model, found);
+    }
+
     /// Returns true if two links, by leg and joint from 0, are compared.
     pub fn compares(&self, (n, j): (usize, usize), (m, i): (usize, usize)) -> bool {
         let meets = |(n, j): (usize, usize), other| {
@@ -232,14 +238,28 @@ fn place<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> [Line; J] {
 
 /// Returns the links of every leg of a robot.
 pub(super) fn capsules<const L: usize, const J: usize>(model: &Model<L, J>) -> [Capsules<J>; L] {
+    choose_pairs(model, &mut |_| ())
+}
+
+/// Returns the links of every leg of a robot, and calls `left_out` with each pair that overlaps in the initial posture.
+fn choose_pairs<const L: usize, const J: usize>(
+    model: &Model<L, J>,
+    left_out: &mut dyn FnMut(Gap),
+) -> [Capsules<J>; L] {
     let mut capsules = [Capsules::NONE; L];
     let body = body(model.body.as_ref());
     let may_touch = model.may_touch.iter().flatten();
-    choose(&mut capsules, &model.legs, body.as_ref(), may_touch);
+    choose(
+        &mut capsules,
+        &model.legs,
+        body.as_ref(),
+        may_touch,
+        left_out,
+    );
     capsules
 }
 
-/// Chooses the pairs that are compared.
+/// Chooses the pairs that are compared. Of a pair that would be compared if it did not overlap now, `left_out` gets the distance.
 // Out of line, or it would be copied for each number of legs.
 #[inline(never)]
 fn choose<'a, const J: usize>(
@@ -247,6 +267,7 @@ fn choose<'a, const J: usize>(
     legs: &[Leg<J>],
     body: Option<&Cuboid>,
     may_touch: impl Iterator<Item = &'a [Part; 2]> + Clone,
+    left_out: &mut dyn FnMut(Gap),
 ) {
     let mut lines = nowhere();
     for ((lines, leg), own) in lines.iter_mut().zip(legs).zip(capsules.iter_mut()) {
@@ -259,7 +280,7 @@ fn choose<'a, const J: usize>(
             .map_or(0.0, Joint::thickness)
     };
     let line = |n: usize, j: usize| lines.get(n).and_then(|of| of.get(j)).copied();
-    let may_touch = |one: Part, other: Part| {
+    let may_touch = |[one, other]: [Part; 2]| {
         let mut pairs = may_touch.clone();
         pairs.any(|pair| *pair == [one, other] || *pair == [other, one])
     };
@@ -275,16 +296,28 @@ fn choose<'a, const J: usize>(
                     let Some(other) = line(m, i) else {
                         continue;
                     };
-                    let is_apart = between(one, other) >= radii(n, j) + radii(m, i);
                     let are_hips = (j, i) == (0, 0);
-                    if is_apart && !are_hips && !may_touch(part, Part::link(m, i)) {
+                    let parts = [part, Part::link(m, i)];
+                    if are_hips || may_touch(parts) {
+                        continue;
+                    }
+                    let distance = between(one, other) - (radii(n, j) + radii(m, i));
+                    if distance >= 0.0 {
                         compared.add(m * MAX + i);
+                    } else {
+                        left_out(Gap { distance, parts });
                     }
                 }
             }
-            let is_apart = body.is_some_and(|body| to_box(body, beside(one, j)) >= radii(n, j));
-            if is_apart && j > 0 && !may_touch(part, Part::Body) {
+            let parts = [part, Part::Body];
+            let Some(body) = body.filter(|_| j > 0 && !may_touch(parts)) else {
+                continue;
+            };
+            let distance = to_box(body, beside(one, j)) - radii(n, j);
+            if distance >= 0.0 {
                 compared.add(BODY);
+            } else {
+                left_out(Gap { distance, parts });
             }
         }
     }
@@ -576,6 +609,24 @@ mod tests {
             !super::capsules(&model)[2].meets(1, (0, 1)),
             "they overlap at first"
         );
+        // The line of a thigh crosses that of the other thigh, by 24 mm, and those of no other links.
+        let left_out = |model: &Model<4, 3>| {
+            let (mut count, mut last) = (0, None);
+            SelfCollision::left_out(model, &mut |gap| {
+                count += 1;
+                last = Some(gap);
+            });
+            (count, last)
+        };
+        let (1, Some(gap)) = left_out(&model) else {
+            panic!("{:?}", left_out(&model));
+        };
+        assert!((gap.distance + 24.0).abs() < 1e-9, "{gap:?}");
+        assert_eq!(gap.parts, [Part::Link(3, 2), Part::Link(1, 2)]);
+        // A pair that may touch is left out by name, and nothing overlaps where the robot stands.
+        model.may_touch[0] = Some([Part::Link(1, 2), Part::Link(3, 2)]);
+        assert_eq!(left_out(&model), (0, None));
+        assert_eq!(left_out(&titan8::MODEL), (0, None));
     }
 
     #[test]

@@ -39,7 +39,7 @@ use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
-use crate::scene::{BLOCKS, Block, Floor};
+use crate::scene::Scene;
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
@@ -99,28 +99,15 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         plant
     }
 
-    /// Puts the robot on another floor.
+    /// Puts the robot on the floor of a scene. The robot goes through blocks, and its feet stay where they are;
+    /// cycles in which it meets a block, or friction would not have held the feet, are [counted](Self::unmodelled).
     #[must_use]
-    pub fn with_floor(mut self, floor: Floor) -> Self {
-        self.ground.replace(floor);
+    pub fn with_scene(mut self, scene: &Scene) -> Self {
+        self.ground.replace(scene.floor);
         self.settle();
-        self
-    }
-
-    /// Puts blocks on the floor. The robot goes through them; cycles in which it does are [counted](Self::unmodelled).
-    #[must_use]
-    pub fn with_blocks(mut self, blocks: [Option<Block>; BLOCKS]) -> Self {
-        self.ground.obstacles = Obstacles(blocks);
-        self
-    }
-
-    /// Sets the floor's coefficient of Coulomb friction, 0.5 by default. Feet stay where they are
-    /// nonetheless; cycles in which friction would not have held them are
-    /// [counted](Self::unmodelled).
-    #[must_use]
-    pub fn with_friction(mut self, friction: f64) -> Self {
-        self.ground.unmodelled.friction = friction;
+        self.ground.unmodelled.friction = scene.friction;
         self.ground.begin();
+        self.ground.obstacles = Obstacles(scene.blocks);
         self
     }
 

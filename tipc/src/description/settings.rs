@@ -108,7 +108,14 @@ pub(super) fn may_touch(
                 }
             };
         let [one, other] = words.map(|word| part(word, found));
-        *place = one.zip(other).map(|(one, other)| [one, other]);
+        let pair = one.zip(other).map(|(one, other)| [one, other]);
+        *place = match pair {
+            Some([one, other]) if one == other => {
+                let part = one.to_string();
+                robot.refuse(KEY, location, Describing::TouchesItself { part }, found)
+            }
+            pair => pair,
+        };
     }
     may_touch
 }

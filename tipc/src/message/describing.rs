@@ -139,6 +139,9 @@ messages! {
     TooManyPairs { most: usize }
         "no robot has more than {most} pairs",
         "組は{most}個までです";
+    TouchesItself { part: String }
+        "{part} stands here twice: a pair is two different parts",
+        "{part}が2回あります。組は異なる2つの部分です";
     NoNumberOfLamps
         "this cannot be a number of lamps",
         "これはランプの個数になりません";

@@ -22,6 +22,7 @@ use simulated::FaultInjection;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::slice;
 use std::time::{Duration, Instant};
 use tip_drives::guard::{Request, Step};
 use tipc::description::Description;
@@ -207,14 +208,22 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
         }
         let mut is_over = false;
         while let Some(key) = connection.key() {
-            match key {
-                b'+' => to[place] += 1.0,
-                b'-' => to[place] -= 1.0,
-                b'q' => is_over = true,
-                _ => {}
+            let turn = match key {
+                b'+' => 1.0,
+                b'-' => -1.0,
+                b'q' => {
+                    is_over = true;
+                    break;
+                }
+                _ => continue,
+            };
+            let mut next = to.clone();
+            next[place] = (to[place] + turn).clamp(limits.min, limits.max);
+            match connection.refusal_of_way(slice::from_ref(&next)) {
+                None => to = next,
+                Some(reason) => report::complain(&format!("\n{reason}\n")),
             }
         }
-        to[place] = to[place].clamp(limits.min, limits.max);
         let mut robot = connection.robot();
         step = match is_over {
             true => Ok(robot.obey(Request::End)),

@@ -1299,6 +1299,15 @@ tipc::message_table! {
     Collides { one: Part, other: Part }
         "{one} and {other} would overlap: the command was not sent. List parts that may touch in `may_touch`. To warn and go on, set `collisions = \"warn\"` in [bus]",
         "{one}と{other}が重なるため、指令を送信しませんでした。触れてもよい部分は `may_touch` に書きます。[bus]の `collisions = \"warn\"` なら警告だけで続けます";
+    WayCollides { one: Part, other: Part, by: String, angles: List }
+        "{one} and {other} would overlap by {by} mm on the way there, at {angles} deg: nothing moves. Move the robot by hand to where its way is free, or list parts that may touch in `may_touch`. To warn and go on, set `collisions = \"warn\"` in [bus]",
+        "途中で{one}と{other}が{by} mm重なるため({angles}度)、動きません。手で動かして通れる位置にするか、触れてもよい部分を `may_touch` に書いてください。[bus]の `collisions = \"warn\"` なら警告だけで続けます";
+    WayOverlaps { one: Part, other: Part, by: String, angles: List }
+        "{one} and {other} overlap by {by} mm on the way there, at {angles} deg",
+        "途中で{one}と{other}が{by} mm重なります({angles}度)";
+    PoseCollides { number: usize, one: Part, other: Part, by: String }
+        "in pose {number} {one} and {other} overlap by {by} mm, as the description has them: without `collisions = \"warn\"` in [bus] the robot does not go there",
+        "姿勢{number}では、ロボット記述によると{one}と{other}が{by} mm重なります。[bus]に `collisions = \"warn\"` がなければ、ロボットはこの姿勢になりません";
     NoTorques { joint: String }
         "{joint} is commanded a torque, and position servos take angles only",
         "{joint}にトルクが指令されましたが、位置サーボは角度しか受け付けません";

@@ -19,7 +19,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use tip_drives::described::{self as buses, Described};
 use tip_drives::model::MODELS;
-use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
+use tip_runtime::model::{Model as RobotModel, Range, generic, hand, titan8};
 use tip_runtime::printable::Printable;
 use tip_sim::Robot;
 use tipc::language::Edition;
@@ -391,16 +391,18 @@ impl Choice {
             Choice::Robot(RobotChoice::Published(robot)) => {
                 described(&robot.file(), robot.text.as_bytes())
             }
-            Choice::Robot(RobotChoice::Named(name)) => Ok(match (name, gait) {
-                (tipc::Robot::Hand, gait) => named(*name, &hand::MODEL, |robot| match gait {
-                    Some(_) => steered(robot, f64::INFINITY),
-                    None => Ok(Motion::grasp()),
-                }),
-                (_, gait) => named(*name, &titan8::MODEL, |robot| match gait {
-                    Some(_) => steered(robot, f64::INFINITY),
-                    None => Ok(Motion::walk(include_str!("../templates/motions/walk.prg"))),
-                }),
-            }),
+            Choice::Robot(RobotChoice::Named(name)) => {
+                let motion = |robot: &Robot| match (gait, name) {
+                    (Some(_), _) => steered(robot, f64::INFINITY),
+                    (None, tipc::Robot::Hand) => Ok(Motion::grasp()),
+                    (None, _) => Ok(Motion::walk(include_str!("../templates/motions/walk.prg"))),
+                };
+                Ok(match name {
+                    tipc::Robot::Hand => named(*name, &hand::MODEL, motion),
+                    tipc::Robot::Generic => named(*name, &generic::MODEL, motion),
+                    _ => named(*name, &titan8::MODEL, motion),
+                })
+            }
         }
     }
 }

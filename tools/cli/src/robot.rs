@@ -78,7 +78,14 @@ fn check(arguments: &CheckRobot) -> Result<Status, Error> {
     match input::describe(&arguments.file) {
         Ok(description) => {
             if arguments.output_options.message_format == Format::Human {
-                output::print(summary(&Robot::described(&description)))?;
+                let robot = Robot::described(&description);
+                let mut text = summary(&robot);
+                if let Some(pairs) = import::not_compared(robot.distances().left_out()) {
+                    let lang = arguments.output_options.lang();
+                    // Writing to a String cannot fail.
+                    let _ = writeln!(text, "{}", pairs.in_lang(lang));
+                }
+                output::print(text)?;
             }
             Ok(Status::Success)
         }

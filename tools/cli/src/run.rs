@@ -290,7 +290,7 @@ fn connected(
         return is_wanted.map(|_| None);
     }
     if arguments.fifo {
-        realtime::warn(&realtime::prioritise(), lang);
+        realtime::warn(realtime::prioritise(), lang);
     }
     Ok(Some(connection))
 }

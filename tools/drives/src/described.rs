@@ -8,11 +8,10 @@ use crate::simulated::{Servo, SimulatedBus};
 use core::fmt;
 use std::format;
 use std::string::{String, ToString};
-use std::sync::Arc;
 use std::vec::Vec;
 use tip_runtime::command::Target;
 use tip_runtime::model::{self, Range};
-use tip_runtime::plant::{Gap, SelfCollision};
+use tip_runtime::plant::Distances;
 use tipc::description::{self, Description, WithModel};
 
 /// A described robot whose joints are servos on a bus.
@@ -28,27 +27,8 @@ pub struct Described {
     pub initial: Vec<f64>,
     /// Sampling time, ms.
     pub period: f64,
-    distances: Distances,
-}
-
-/// A function from the angles of all joints (deg), leg by leg, to the least distance of two parts of a robot.
-type Measure = dyn Fn(&[f64]) -> Option<Gap> + Send + Sync;
-
-/// The distances between the parts of a robot, whatever its size.
-#[derive(Clone)]
-pub(crate) struct Distances(Arc<Measure>);
-
-impl fmt::Debug for Distances {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Distances").finish_non_exhaustive()
-    }
-}
-
-impl Distances {
-    /// Returns the least distance of two parts.
-    pub(crate) fn at(&self, angles: &[f64]) -> Option<Gap> {
-        (self.0)(angles)
-    }
+    /// The distances between its parts.
+    pub distances: Distances,
 }
 
 /// A reason why a described robot cannot be on a bus.
@@ -173,6 +153,7 @@ impl Described {
             lag: [lag, lag_time],
             relaxes,
             together,
+            stops_collisions,
             ..
         } = self.bus;
         let [at_end, in_emergency] =
@@ -186,6 +167,7 @@ impl Described {
             at_end,
             in_emergency,
             fast: together,
+            stops_collisions,
             ..Settings::default()
         }
     }
@@ -196,11 +178,6 @@ impl Described {
     /// No robot can have such joints or settings.
     pub fn drives<P: Port>(&self, port: P) -> Result<Drives<P>, Invalid> {
         Drives::new(Bus::new(port, self.timing()), &self.joints, self.settings())
-    }
-
-    /// Returns the distances between its parts, if a command to a posture in which two of them overlap stops it.
-    pub(crate) fn distances(&self) -> Option<Distances> {
-        self.bus.stops_collisions.then(|| self.distances.clone())
     }
 
     /// Returns simulated servos a little beside the initial posture.
@@ -220,8 +197,7 @@ impl WithModel for Bodies {
     type Output = Distances;
 
     fn with<const L: usize, const J: usize>(self, model: &model::Model<L, J>) -> Distances {
-        let bodies = SelfCollision::new(model);
-        Distances(Arc::new(move |angles| bodies.clearance_of_row(angles)))
+        Distances::new(model)
     }
 }
 

@@ -74,6 +74,8 @@ pub struct Settings {
     pub reading: f64,
     /// Time in which the torque falls to nothing, s.
     pub relaxing: f64,
+    /// True if a command to a posture in which two parts of the robot would overlap stops it.
+    pub stops_collisions: bool,
     /// Treatment at END, at EXIT and when the run is interrupted.
     pub at_end: Policy,
     /// Treatment in an emergency.
@@ -92,6 +94,7 @@ impl Default for Settings {
             lag: (25.0, 0.5),
             reading: 0.6,
             relaxing: 2.0,
+            stops_collisions: true,
             at_end: Policy::Hold,
             in_emergency: Policy::Hold,
             fast: false,

@@ -115,6 +115,29 @@ impl Failure {
     }
 }
 
+/// A posture in which two parts of the robot overlap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Collision {
+    /// The parts, with their distance.
+    pub gap: Gap,
+    /// The angles of the joints, deg.
+    pub angles: Vec<f64, MAX_SERVOS>,
+}
+
+/// Returns the overlap of two parts, unless some parts overlap as much `before`: a robot that lies on its legs may be moved out of an
+/// overlap.
+fn new_overlap(now: Option<Gap>, before: impl FnOnce() -> Option<Gap>) -> Option<Gap> {
+    let is_new = |now: &Gap| {
+        now.distance < 0.0 && before().is_none_or(|before| now.distance < before.distance)
+    };
+    now.filter(is_new)
+}
+
+/// Least turn of the fastest joint between two postures that are judged on a way, deg.
+const SAMPLE: f64 = 0.1;
+/// Most postures that are judged on the way to a pose. Each command is judged again before it is sent.
+const MAX_SAMPLES: usize = 20_000;
+
 /// The failure of a port that is gone.
 const GONE: Failure = Failure {
     joint: None,
@@ -675,7 +698,13 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// Any failure that would stop a run.
-    pub(crate) fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
+    pub(crate) fn approach(
+        &mut self,
+        to: &[f64],
+        speed: f64,
+        period: f64,
+        gap: impl Fn(&[f64]) -> Option<Gap>,
+    ) -> Result<f64, Failure> {
         self.read_cycle()?;
         let mut commands: Vec<JointCommand, MAX_SERVOS> = Vec::new();
         let mut left: f64 = 0.0;
@@ -686,7 +715,7 @@ impl<P: Port> Drives<P> {
             // As many as there are joints.
             let _ = commands.push(JointCommand::at(next));
         }
-        self.write_cycle(&commands, period, |_| None)?;
+        self.write_cycle(&commands, period, gap)?;
         Ok(left)
     }
 
@@ -711,6 +740,64 @@ impl<P: Port> Drives<P> {
         self.check(self.period / 1000.0)
     }
 
+    /// Returns the angles of the last commands, deg.
+    fn sent(&self) -> Vec<f64, MAX_SERVOS> {
+        self.joints.iter().map(|state| state.sent).collect()
+    }
+
+    /// Returns the first posture with a new overlap of two parts, if approaches at this many deg/s go from the angles of the last
+    /// commands through these poses. `gap` returns the least distance of two parts.
+    pub(crate) fn collision<'a>(
+        &self,
+        poses: impl IntoIterator<Item = &'a [f64]>,
+        speed: f64,
+        gap: impl Fn(&[f64]) -> Option<Gap>,
+    ) -> Option<Collision> {
+        let mut angles = self.sent();
+        let mut before = gap(&angles);
+        let speeds = self.joints.iter().map(|state| speed.min(state.joint.speed));
+        let fastest = speeds.fold(0.0, f64::max);
+        let time = (self.period / 1000.0).max(SAMPLE / fastest);
+        for to in poses {
+            for _ in 0..MAX_SAMPLES {
+                let mut left: f64 = 0.0;
+                for ((angle, state), to) in angles.iter_mut().zip(&self.joints).zip(to) {
+                    let Range { min, max } = state.joint.limits;
+                    let way = to.clamp(min, max) - *angle;
+                    let step = speed.min(state.joint.speed) * time;
+                    *angle += way.max(-step).min(step);
+                    left = left.max(way.abs());
+                }
+                let now = gap(&angles);
+                if let Some(gap) = new_overlap(now, || before) {
+                    return Some(Collision { gap, angles });
+                }
+                before = now;
+                if left == 0.0 {
+                    break;
+                }
+            }
+        }
+        None
+    }
+
+    /// Checks that an approach would make no two parts of the robot overlap.
+    ///
+    /// # Errors
+    /// It would, and such a command stops the robot.
+    pub(crate) fn check_way(
+        &mut self,
+        to: &[f64],
+        speed: f64,
+        gap: impl Fn(&[f64]) -> Option<Gap>,
+    ) -> Result<(), Failure> {
+        let stops = self.settings.stops_collisions;
+        match self.collision([to], speed, gap).filter(|_| stops) {
+            Some(Collision { gap, .. }) => self.fail(None, Problem::Collides(gap)),
+            None => Ok(()),
+        }
+    }
+
     /// Sends a command to each joint, at the end of a cycle of `period` ms. `gap` returns the least distance of two parts of the
     /// robot at the angles to be sent, if it is known.
     ///
@@ -721,7 +808,7 @@ impl<P: Port> Drives<P> {
         &mut self,
         commands: &[JointCommand],
         period: f64,
-        gap: impl FnOnce(&[f64]) -> Option<Gap>,
+        gap: impl Fn(&[f64]) -> Option<Gap>,
     ) -> Result<(), Failure> {
         let begin = self.bus.now();
         if period != self.period {
@@ -756,8 +843,9 @@ impl<P: Port> Drives<P> {
                 state.sent = next;
             }
         }
-        let angles: Vec<f64, MAX_SERVOS> = self.joints.iter().map(|state| state.sent).collect();
-        if let Some(gap) = gap(&angles).filter(|gap| gap.distance < 0.0) {
+        if self.settings.stops_collisions
+            && let Some(gap) = new_overlap(gap(&self.sent()), || gap(&before))
+        {
             for (state, before) in self.joints.iter_mut().zip(before) {
                 state.sent = before;
             }

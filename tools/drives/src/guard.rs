@@ -53,7 +53,7 @@
 //! ```
 
 use crate::bus::{BusError, MAX_SERVOS, Port, Wire};
-use crate::drives::{Drives, Failure, Policy, Problem, Settings};
+use crate::drives::{Collision, Drives, Failure, Policy, Problem, Settings};
 use heapless::Vec;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outputs, Sensors};
@@ -86,7 +86,8 @@ pub trait Host<P> {
     fn request(&mut self) -> Option<Request>;
 
     /// Returns the least distance of two parts of the robot at these joint angles, deg, leg by leg; `None` where nobody knows it.
-    /// A command of [`TorqueGuard::write_cycle`] to a posture in which two parts overlap is not sent, and stops the robot.
+    /// With [`Settings::stops_collisions`] a command to a posture in which two parts overlap is not sent, and stops the robot.
+    /// One that makes an overlap no deeper, in which the robot was found, is sent.
     fn gap(&self, angles: &[f64]) -> Option<Gap> {
         let _ = angles;
         None
@@ -221,10 +222,20 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// A joint is where it must not be, or the robot cannot have its sampling time, and no torque was switched on; or a servo does not
     /// answer, and the robot was left as in an emergency.
     pub fn hold(&mut self) -> Result<Step, Failure> {
+        self.locate()?;
+        self.switch_on()
+    }
+
+    /// Measures where the robot is, which has no torque yet.
+    fn locate(&mut self) -> Result<(), Failure> {
         self.is_stopped = false;
         self.drives.set_period(self.period);
         self.drives.check_period()?;
-        self.drives.locate()?;
+        self.drives.locate()
+    }
+
+    /// Switches the torque on, where the robot was measured to be.
+    fn switch_on(&mut self) -> Result<Step, Failure> {
         self.state = State::On;
         let (host, mut asked, mut count) = (&mut self.host, None, 0);
         let held = self.drives.hold_while(|| {
@@ -249,7 +260,9 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
         if let Some(request) = self.host.request() {
             return Ok(self.obey(request));
         }
-        match self.drives.approach(to, speed, self.period) {
+        let host = &self.host;
+        let gap = |angles: &[f64]| host.gap(angles);
+        match self.drives.approach(to, speed, self.period, gap) {
             Err(failure) => Err(self.give_up(failure)),
             Ok(left) => {
                 self.wait();
@@ -264,12 +277,28 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// Switches the torque on and moves every joint to an angle, deg, at this many deg/s at most.
     ///
     /// # Errors
-    /// Any failure that would stop a run; the robot was left as in an emergency.
+    /// Two parts of the robot would overlap on the way, and no torque was switched on; or any failure that would stop a run, and the
+    /// robot was left as in an emergency.
     pub fn approach(&mut self, to: &[f64], speed: f64) -> Result<Step, Failure> {
-        match self.hold()? {
+        self.locate()?;
+        let host = &self.host;
+        let gap = |angles: &[f64]| host.gap(angles);
+        self.drives.check_way(to, speed, gap)?;
+        match self.switch_on()? {
             Step::Left(request) => Ok(Step::Left(request)),
             Step::Moving | Step::Arrived => self.reach(to, speed),
         }
+    }
+
+    /// Returns the first posture in which two parts of the robot would overlap, if it went from where it was last commanded to be, or
+    /// measured before it has torque, through these poses (deg), at this many deg/s at most. Nothing moves.
+    pub fn collision<'a>(
+        &self,
+        poses: impl IntoIterator<Item = &'a [f64]>,
+        speed: f64,
+    ) -> Option<Collision> {
+        let gap = |angles: &[f64]| self.host.gap(angles);
+        self.drives.collision(poses, speed, gap)
     }
 
     /// Moves every joint of a robot that [holds](Self::hold) to an angle, deg, at this many deg/s at most, and gives the servos time to

@@ -19,7 +19,7 @@
 //! ```
 
 use crate::bus::Port;
-use crate::described::{Described, Distances};
+use crate::described::Described;
 use crate::drives::Policy;
 use crate::guard::{Host, Outcome, Request, TorqueGuard};
 use crate::port::{AnyPort, SIMULATED};
@@ -38,7 +38,7 @@ use std::time::Duration;
 use std::vec::Vec;
 use std::{format, io};
 use tip_runtime::console::{Console, Terminal};
-use tip_runtime::plant::Gap;
+use tip_runtime::plant::{Distances, Gap};
 
 /// Bytes of keys.
 const RETURN: u8 = 0x0D;
@@ -194,7 +194,7 @@ pub struct Operator {
     last: Arc<AtomicUsize>,
     /// Number of the first signal that was noticed.
     signal: Option<u8>,
-    /// The distances between the parts of the robot, if a command that would make it hit itself stops it.
+    /// The distances between the parts of the robot, if they are known.
     distances: Option<Distances>,
 }
 
@@ -231,10 +231,10 @@ impl Operator {
         }
     }
 
-    /// Makes commands that would make this robot hit itself stop it, unless its file says otherwise.
+    /// Judges commands by the distances between the parts of this robot.
     #[must_use]
     pub fn of_robot(mut self, robot: &Described) -> Self {
-        self.distances = robot.distances();
+        self.distances = Some(robot.distances.clone());
         self
     }
 

@@ -57,7 +57,7 @@ def spec(
     """Returns the specification of a sweep as a JSON document.
 
     `program`, `robot` and `scene` are paths, or texts if they have more than one line; a robot and a scene may be names. A robot
-    is a description (TOML) or a URDF file, which is imported as `tip robot import` does.
+    is a description (TOML), or a URDF or MJCF file, which is imported as `tip robot import` does.
     `vary` maps names of quantities to lists of numbers, one number, `uniform(…)` or `normal(…)`. `plant` is "scene",
     "quasi-static" or "dynamic". `until` is the longest time of a run on the robot, s. The last values of the variables
     in `record` become columns.
@@ -89,7 +89,7 @@ def spec(
 
 def _robot(robot):
     arguments.place("robot", robot)
-    if str(robot).endswith(".urdf") or _is_xml(robot):
+    if str(robot).endswith((".urdf", ".xml")) or _is_xml(robot):
         return {"urdf": _file(robot, "robot.urdf")[1]}
     return {"description": _file(robot, "robot.toml")[1]} if _is_description(robot) else {"name": str(robot)}
 
@@ -103,7 +103,7 @@ def _is_description(text):
 
 
 def _file(place, name, encoding="utf-8"):
-    """Returns the name and the text of a file, or of a text: URDF, or more than one line."""
+    """Returns the name and the text of a file, or of a text: XML, or more than one line."""
     if isinstance(place, str) and ("\n" in place or _is_xml(place)):
         return name, place if encoding else place.encode()
     data = Path(place).read_bytes()

@@ -46,11 +46,13 @@ pub use chains::{Foot, ImportOptions};
 pub use transform::{Forward, Up};
 pub use xml::decode;
 
+use crate::Robot;
 use crate::message::Importing;
 use chains::Chain;
 use describe::{InitialPosture, RobotParts};
 use std::fmt;
 use tip_runtime::command::MAX;
+use tip_runtime::plant::Gap;
 use tipc::description::{self, Description};
 use tipc::message::list::{Faults, List};
 use transform::Transform;
@@ -201,7 +203,23 @@ pub fn import_with(
     import.report.extend(left_out);
     import.report.extend(order);
     import.report.extend(file.notes);
+    if let Ok(robot) = description::parse(source_name, import.toml.as_bytes()) {
+        let robot = Robot::described(&robot);
+        import
+            .report
+            .extend(not_compared(robot.distances().left_out()));
+    }
     Ok(import)
+}
+
+/// Returns a message about pairs of parts that overlap in the initial posture, if there are any, with the depths.
+pub fn not_compared(left_out: &[Gap]) -> Option<Importing> {
+    let pair = |gap: &Gap| {
+        let [one, other] = gap.parts;
+        format!("{one}/{other} ({:.1} mm)", -gap.distance)
+    };
+    let pairs = List(left_out.iter().map(pair).collect());
+    (!left_out.is_empty()).then_some(Importing::NotCompared { pairs })
 }
 
 /// Returns the description as text and parsed.

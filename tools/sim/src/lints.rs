@@ -256,6 +256,30 @@ struct Foot {
     goes: Option<Point>,
 }
 
+/// Returns true if an action changes no target of a joint, and the next step runs after it.
+fn keeps_targets(action: &Action) -> bool {
+    match action {
+        Action::Nothing
+        | Action::SetScalar { .. }
+        | Action::SetStruct { .. }
+        | Action::Message { .. } => true,
+        Action::Command { op, .. } => matches!(
+            op,
+            Op::Sleep
+                | Op::WaitNear
+                | Op::LampOn
+                | Op::LampOff
+                | Op::LogStart
+                | Op::LogStop
+                | Op::SetVMax
+                | Op::SetAMax
+                | Op::SetVMaxRate
+                | Op::SetAMaxRate
+        ),
+        _ => false,
+    }
+}
+
 /// The known places of all feet before a step.
 struct Starts {
     /// `None` after the first condition or jump, and after a command that may move anything.
@@ -283,6 +307,9 @@ impl Starts {
     /// Returns the start of the foot that a step moves, if it is known, and applies the effect of the step.
     fn before(&mut self, step: &Step) -> Option<Point> {
         let feet = self.feet.as_mut()?;
+        if keeps_targets(&step.action) {
+            return None;
+        }
         let Action::Command {
             op,
             target,
@@ -290,14 +317,7 @@ impl Starts {
             ..
         } = &step.action
         else {
-            let goes_on = matches!(
-                step.action,
-                Action::Nothing
-                    | Action::SetScalar { .. }
-                    | Action::SetStruct { .. }
-                    | Action::Message { .. }
-            );
-            self.feet = self.feet.take().filter(|_| goes_on);
+            self.feet = None;
             return None;
         };
         match (op, target) {
@@ -321,11 +341,6 @@ impl Starts {
                 feet.iter_mut().for_each(Foot::arrive);
                 None
             }
-            (
-                Op::Sleep | Op::WaitNear | Op::LampOn | Op::LampOff | Op::LogStart | Op::LogStop,
-                _,
-            ) => None,
-            (Op::SetVMax | Op::SetAMax | Op::SetVMaxRate | Op::SetAMaxRate, _) => None,
             _ => {
                 self.feet = None;
                 None

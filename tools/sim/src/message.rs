@@ -482,6 +482,9 @@ tipc::message_table! {
     PostureOfFile { name: String }
         "the initial posture is that of keyframe {name}",
         "初期姿勢はキーフレーム{name}の姿勢です";
+    PostureOutside { joints: List }
+        "doubtful: the keyframe is outside of the limits of these joints, and the initial posture is at their ends: {joints}",
+        "要確認: キーフレームが次の関節の限界を超えるので、初期姿勢は限界の端にします: {joints}";
     PostureFalls { name: String }
         "doubtful: the robot falls in the posture of keyframe {name}",
         "要確認: キーフレーム{name}の姿勢では倒れます";
@@ -599,6 +602,9 @@ tipc::message_table! {
     Slider
         "the prismatic joints that end in link floor became the slider that carries the floor (FLOOR)",
         "リンクfloorに至る直動関節を、床を載せるスライダ(FLOOR)にしました";
+    NotCompared { pairs: List }
+        "not compared: pairs of parts that overlap in the initial posture, so that nothing reports or stops their collisions: {pairs}; give the links a smaller `radius` or their `shape`, or list pairs that may touch in `may_touch`",
+        "比較しないもの: 初期姿勢で重なる部分の組。この組の干渉は報告も停止もされません: {pairs}。リンクの `radius` を小さくするか、`shape` を書くか、触れてもよい組を `may_touch` に書いてください";
     BodyMass
         "assumed: the body weighs 1 kg",
         "仮定: 胴体の質量は1 kg";

@@ -4,7 +4,6 @@ use crate::dyn_machine::{DynMachine, NativeCommands};
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
-use std::sync::Arc;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::{
     Chain, Frame, LegPoint, first_beyond_limits, frames, inverse, inverse_from, nearest, search,
@@ -13,7 +12,9 @@ use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{
     Body, Family, Forces, Inverse, Joint, Leg, Model, Point, Range, Slider, Standards,
 };
-use tip_runtime::plant::{DynamicPlant, Gap, Scene, SelfCollision, SimulatedPlant, Simulation};
+use tip_runtime::plant::{
+    Distances, DynamicPlant, Scene, SelfCollision, SimulatedPlant, Simulation,
+};
 
 /// The parts of a robot, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,9 +74,6 @@ impl Limb {
     }
 }
 
-/// A function from the angles of all joints (deg), leg by leg, to the least distance of two parts of a robot.
-pub(crate) type Distances = Arc<dyn Fn(&[f64]) -> Option<Gap> + Send + Sync>;
-
 /// A model of any size, without logic of its own.
 pub(crate) trait DynModel: Send + Sync {
     fn description(&self) -> RobotDescription;
@@ -86,7 +84,7 @@ pub(crate) trait DynModel: Send + Sync {
     /// angles of all joints before it, leg by leg. Returns none for a target that is not reached, or whose end depends on
     /// the way there.
     fn turns(&self, op: Op, target: Target, values: &[f64], from: &[f64]) -> Vec<(usize, f64)>;
-    /// Returns the function from the angles of all joints, leg by leg, to the least distance of two parts.
+    /// Returns the distances between its parts.
     fn distances(&self) -> Distances;
     /// Returns true if two links, by leg and joint from 0, are compared in a search for collisions.
     fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool;
@@ -125,8 +123,7 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
     }
 
     fn distances(&self) -> Distances {
-        let bodies = SelfCollision::new(self);
-        Arc::new(move |angles| bodies.clearance_of_row(angles))
+        Distances::new(self)
     }
 
     fn compares(&self, one: (usize, usize), other: (usize, usize)) -> bool {
@@ -135,11 +132,7 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {
         match simulation {
-            Simulation::QuasiStatic => {
-                let plant = SimulatedPlant::new(self).with_floor(scene.floor);
-                let plant = plant.with_friction(scene.friction);
-                OfSize::boxed(plant.with_blocks(scene.blocks))
-            }
+            Simulation::QuasiStatic => OfSize::boxed(SimulatedPlant::new(self).with_scene(scene)),
             Simulation::Dynamic => OfSize::boxed(DynamicPlant::new(self).with_scene(scene)),
         }
     }

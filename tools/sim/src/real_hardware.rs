@@ -5,7 +5,6 @@
 
 use crate::event::{Events, STICK_AT_REST};
 use crate::message::Linting;
-use crate::model::Distances;
 use crate::motion::Limbs;
 use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
@@ -13,12 +12,11 @@ use crate::run::Run;
 use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
 use std::any::Any;
 use std::fmt;
-use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
 use tip_runtime::machine::Mismatch;
-use tip_runtime::plant::Gap;
+use tip_runtime::plant::{Distances, Gap};
 use tip_runtime::program::Program;
 use tipc::Loaded;
 use tipc::code::Code;
@@ -161,7 +159,7 @@ impl DynHardware for RealHardware {
         Box::new(RealHardware {
             joints: None,
             angles: self.angles.clone(),
-            distances: Arc::clone(&self.distances),
+            distances: self.distances.clone(),
             ..*self
         })
     }
@@ -199,7 +197,7 @@ impl DynHardware for RealHardware {
     }
 
     fn gap(&self) -> Option<Gap> {
-        (self.distances)(&self.angles)
+        self.distances.at(&self.angles)
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -3,7 +3,7 @@
 use crate::dyn_machine::{DynMachine, NativeCommands};
 
 use crate::ideal_joints::IdealJoints;
-use crate::model::{Distances, DynModel, Miss, RobotDescription};
+use crate::model::{DynModel, Miss, RobotDescription};
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
@@ -11,7 +11,7 @@ use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, Range, generic, hand, titan8};
-use tip_runtime::plant::{self, Scene, SimulatedHand, Simulation};
+use tip_runtime::plant::{self, Distances, Scene, SimulatedHand, Simulation};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
 use tipc::description::Shapes;
@@ -206,8 +206,8 @@ impl Robot {
         self.model.turns(op, target, values, from)
     }
 
-    /// Returns the function from the angles of all joints, leg by leg, to the least distance of two parts.
-    pub(crate) fn distances(&self) -> Distances {
+    /// Returns the distances between its parts.
+    pub fn distances(&self) -> Distances {
         self.model.distances()
     }
 

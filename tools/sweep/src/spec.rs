@@ -88,7 +88,7 @@ pub enum RobotSpec {
     Name(String),
     /// The text of a TOML description.
     Description(String),
-    /// The text of a URDF file, which is imported as `tip robot import` does without options.
+    /// The text of a URDF or MJCF file, which is imported as `tip robot import` does without options.
     Urdf(String),
 }
 

@@ -2,7 +2,7 @@
 
 use crate::plant::rig::{CENTIMETRE, Rig, WEIGHT, angles, close, high_bellied, stance};
 use tip_runtime::model::titan8;
-use tip_runtime::plant::{Floor, SimulatedPlant};
+use tip_runtime::plant::{Floor, Scene, SimulatedPlant};
 
 #[test]
 fn at_the_start_belly_and_feet_share_the_weight() {
@@ -85,13 +85,20 @@ fn the_body_leans_towards_lower_legs() {
     assert_eq!(rig.plant.falls(), 0);
 }
 
+fn on(floor: Floor) -> Scene {
+    Scene {
+        floor,
+        ..Scene::EMPTY
+    }
+}
+
 #[test]
 fn a_higher_floor_lifts_everything() {
     let floor = Floor {
         height: 30.0,
         ..Floor::LEVEL
     };
-    let rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_floor(floor));
+    let rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_scene(&on(floor)));
     assert!(close(rig.plant.body().position[2], 230.0, 0.5));
     assert!(close(rig.plant.feet()[0].position[2], 30.0, 0.5));
 }
@@ -102,7 +109,7 @@ fn on_a_slope_the_body_stands_parallel_and_its_lower_feet_carry_more() {
         height: 0.0,
         slope: [0.0, 0.1],
     };
-    let mut rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_floor(floor));
+    let mut rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_scene(&on(floor)));
     rig.move_to(stance(-250.0));
     let body = rig.plant.body();
     let up = libm::atan2(0.1, 1.0);
@@ -155,7 +162,7 @@ fn on_a_slope_to_the_side_the_lower_feet_carry_more_wherever_the_body_heads() {
         height: 0.0,
         slope: [0.1, 0.0],
     };
-    let mut rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_floor(floor));
+    let mut rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_scene(&on(floor)));
     rig.move_to(stance(-250.0));
     let up = libm::atan2(0.1, 1.0);
     let [x, _, z] = rig.plant.centre_of_mass();

@@ -78,9 +78,12 @@ fn a_robot_that_stands_leaves_nothing_out() {
 
 /// Returns the number of ten cycles in which a robot that lies on a slope would slide.
 fn slides(slope: [f64; 2], friction: f64) -> u32 {
-    let floor = Floor { height: 0.0, slope };
-    let plant = SimulatedPlant::new(&titan8::MODEL).with_floor(floor);
-    let mut rig = Rig::on(plant.with_friction(friction));
+    let scene = Scene {
+        floor: Floor { height: 0.0, slope },
+        friction,
+        ..Scene::EMPTY
+    };
+    let mut rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_scene(&scene));
     for _ in 0..10 {
         rig.tell(&stance(-200.0));
     }
@@ -237,7 +240,7 @@ fn legs_that_go_through_the_floor_are_counted() {
 fn in_block(x: [f64; 2], y: [f64; 2], height: f64) -> u32 {
     let scene = Scene::EMPTY.with_block(Block { x, y, height });
     let plant = SimulatedPlant::new(&titan8::MODEL);
-    let mut rig = Rig::on(plant.with_blocks(scene.expect("a block").blocks));
+    let mut rig = Rig::on(plant.with_scene(&scene.expect("a block")));
     rig.move_to(stance(-250.0));
     let before = seen(&rig).crossings;
     for _ in 0..10 {

@@ -235,6 +235,13 @@ fn pairs_that_may_touch_are_parts_of_the_robot() {
         ("[[\"link11\", \"link12\"]]", body, "cannot be this"),
         ("[[\"link11\", \"body\"]]", "", "cannot be this"),
         ("[[\"link11\"]]", body, "two parts belong here"),
+        // No part touches itself.
+        (
+            "[[\"body\", \"link21\"], [\"link11\", \"link11\"]]",
+            body,
+            "link11 stands here twice: a pair is two different parts",
+        ),
+        ("[[\"body\", \"body\"]]", body, "body stands here twice"),
         ("[\"link11\"]", body, "cannot stand here"),
         ("[[\"link11\", 2]]", body, "cannot stand here"),
     ] {

@@ -27,7 +27,7 @@ pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, 
         Error::failed(reason, lang)
     })?;
     if let Some(time) = Serial::latency_timer(Path::new(port)).filter(|time| *time > 2) {
-        realtime::warn(&[Driving::Adapter { time }], lang);
+        realtime::warn([Driving::Adapter { time }], lang);
     }
     Ok(AnyPort::Serial(opened))
 }

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use std::io;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
-use tipc::message::Lang;
+use tipc::message::{Lang, Message};
 
 /// The longest sleep in one piece: an interrupt is noticed after it.
 const NAP: Duration = Duration::from_millis(50);
@@ -213,7 +213,7 @@ impl Action for Jitter {
 fn jitter(arguments: &Jitter) -> Result<Status, Error> {
     interrupt::catch();
     if arguments.fifo {
-        warn(&prioritise(), choices::lang(arguments.lang));
+        warn(prioritise(), choices::lang(arguments.lang));
     }
     let (mut pacer, mut histogram) = (Pacer::start(), Histogram::default());
     let cycles = (arguments.seconds * 1000.0 / arguments.period).ceil() as u64;
@@ -292,8 +292,9 @@ fn report_text(histogram: &Histogram, missed: u64, period: f64, lang: Lang) -> S
 }
 
 /// Reports messages as warnings.
-pub(crate) fn warn(messages: &[Driving], lang: Lang) {
+pub(crate) fn warn(messages: impl IntoIterator<Item = impl Into<Message>>, lang: Lang) {
     for message in messages {
+        let message: Message = message.into();
         let warning = Weight::Warning;
         let text = format!("{}: {}\n", warning.in_lang(lang), message.in_lang(lang));
         report::complain(&text);

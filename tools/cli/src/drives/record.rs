@@ -626,6 +626,16 @@ impl<'a> Recording<'a> {
         let number = self.poses.len();
         self.chosen = number - 1;
         self.say(Driving::PoseAdded { number });
+        let angles = &self.poses[number - 1].sample.angles;
+        if let Some(gap) = self.connection.setup.distances.overlap(angles) {
+            let ([one, other], by) = (gap.parts, format!("{:.1}", -gap.distance));
+            self.say(Driving::PoseCollides {
+                number,
+                one,
+                other,
+                by,
+            });
+        }
         Ok(())
     }
 

@@ -11,10 +11,11 @@ use std::borrow::{Borrow, BorrowMut};
 use std::io;
 use std::ops::Deref;
 use std::path::Path;
+use std::slice;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tip_drives::described::{Described, NotOnBus};
-use tip_drives::drives::{Failure, Policy, Problem};
+use tip_drives::drives::{Collision, Failure, Policy, Problem};
 use tip_drives::guard::{Host, Request, Step, TorqueGuard};
 use tip_drives::operator::{self, Operator, Unsettled};
 use tip_drives::port::{AnyPort, SIMULATED};
@@ -22,9 +23,11 @@ use tip_drives::simulated::{MemoryPort, SimulatedBus};
 use tip_runtime::console::Terminal;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
+use tip_runtime::model::Part;
 use tip_runtime::plant::Gap;
 use tip_runtime::realtime::Pacer;
 use tip_sim::Joints;
+use tip_sim::import::not_compared;
 use tip_view::live::ServoState;
 use tipc::description::Description;
 use tipc::message::Lang;
@@ -281,7 +284,8 @@ impl Connection {
             let (time, cycles) = (format!("{timeout:.0}"), format!("{:.1}", timeout / period));
             warnings.push(Driving::ShortTimeout { time, cycles });
         }
-        realtime::warn(&warnings, self.lang);
+        realtime::warn(warnings, self.lang);
+        realtime::warn(not_compared(self.setup.distances.left_out()), self.lang);
         Ok(())
     }
 
@@ -405,10 +409,49 @@ impl Connection {
         });
     }
 
+    /// Returns the reason not to move through these poses, if two parts of the robot would overlap on the way from where it was last
+    /// commanded to be, or measured without torque. Reports a warning instead if the file says so.
+    pub(crate) fn refusal_of_way(&self, poses: &[Vec<f64>]) -> Option<String> {
+        let poses = poses.iter().map(Vec::as_slice);
+        let Collision { gap, angles } = self.robot().collision(poses, self.setup.bus.start)?;
+        let ([one, other], by) = (gap.parts, format!("{:.1}", -gap.distance));
+        let is_concerned = |joint: usize| {
+            let leg = joint / self.setup.of_leg.max(1) + 1;
+            gap.parts.iter().any(
+                |part| matches!(part, Part::Link(concerned, _) if usize::from(*concerned) == leg),
+            )
+        };
+        let angles = angles.iter().enumerate();
+        let angles = angles
+            .filter(|(joint, _)| is_concerned(*joint))
+            .map(|(joint, angle)| format!("{} {angle:.1}", self.setup.name(joint)));
+        let angles = List(angles.collect());
+        if self.setup.bus.stops_collisions {
+            let refused = Driving::WayCollides {
+                one,
+                other,
+                by,
+                angles,
+            };
+            return Some(refused.in_lang(self.lang).to_string());
+        }
+        let overlaps = Driving::WayOverlaps {
+            one,
+            other,
+            by,
+            angles,
+        };
+        realtime::warn([overlaps], self.lang);
+        None
+    }
+
     /// Switches the torque on, and moves slowly to the initial posture. Returns the status with which the command ends if the
     /// robot was stopped on the way.
     pub(crate) fn stand_ready(&self, is_watched: bool) -> Option<Status> {
         self.take_over(is_watched);
+        if let Some(reason) = self.refusal_of_way(slice::from_ref(&self.setup.initial)) {
+            return Some(self.refused(&reason));
+        }
         let step = {
             let (initial, speed) = (&self.setup.initial, self.setup.bus.start);
             self.robot().approach(initial, speed)
@@ -426,12 +469,13 @@ impl Connection {
                 Status::Emergency
             }
             Err(failure) => {
-                report::complain(&format!("{}\n", self.explain(failure)));
-                match self.robot().outcome() {
-                    Some(_) => Status::Emergency,
+                let reason = self.explain(failure);
+                if self.robot().outcome().is_none() {
                     // A hand has turned a joint where it must not be.
-                    None => Status::Failure,
+                    return Some(self.refused(&reason));
                 }
+                report::complain(&format!("{reason}\n"));
+                Status::Emergency
             }
         };
         self.finish();
@@ -449,6 +493,17 @@ impl Connection {
             false => Stopping::KeyPressed,
         };
         report::say(pressed, self.lang);
+    }
+
+        Some(status)
+    }
+
+    /// Reports the reason why no torque was switched on, and returns the status of the command.
+    fn refused(&self, reason: &str) -> Status {
+        report::complain(&format!("{reason}\n"));
+        self.finish();
+        super::report_stiff(self, self.lang);
+        Status::Failure
     }
 
     /// Returns the joints for a run.

@@ -254,7 +254,7 @@ pub(super) fn scan(arguments: &Scan) -> Result<Status, Error> {
     let found = Driving::Found { servos: count };
     let _ = writeln!(text, "{}", found.in_lang(lang));
     output::print(text)?;
-    super::realtime::warn(&remarks, lang);
+    super::realtime::warn(remarks, lang);
     Ok(match is_interrupted {
         true => Status::Interrupted,
         false => Status::Success,
@@ -377,7 +377,7 @@ pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
         (Found::Other(_) | Found::Doubtful(_), Some(remark)) => {
             return Err(Error::failed(remark, lang));
         }
-        (_, remark) => super::realtime::warn(remark.as_slice(), lang),
+        (_, remark) => super::realtime::warn(remark, lang),
     }
     // A servo that gets a number loses its torque.
     if family.is_stiff(&mut bus, from) == Ok(true) {

@@ -191,6 +191,11 @@ fn a_gait_that_cannot_be_is_refused_with_the_reason() {
             "wave",
             "the centre of mass is 0 mm inside the other feet",
         ),
+        (
+            "generic",
+            "wave",
+            "the centre of mass is 0 mm inside the other feet",
+        ),
         ("hand", "crawl", "it has no body"),
     ] {
         let new = ["new", "demo", "--robot", robot, "--gait", gait];

@@ -4,7 +4,7 @@ use crate::faults::terminal::Pty;
 use crate::serve::client::Socket as Viewer;
 use crate::servo_bus::{ServoBus, described};
 use crate::support::{Folder, Outcome, start};
-use crate::torque::{leg, signal};
+use crate::torque::{leg, signal, two_legs};
 use rustix::process::Signal;
 use serde_json::json;
 use std::io::Read;
@@ -698,6 +698,37 @@ fn a_lesson_ends_while_the_robot_holds() {
         assert_eq!(bus.stiff(), left, "{at_end}");
         assert!(folder.has("wave.prg"), "{at_end}");
     }
+}
+
+/// A pose in which links cross is said, and the robot goes neither there nor through such a one, and gets no torque.
+#[test]
+fn the_robot_goes_to_no_pose_in_which_it_hits_itself() {
+    let robot = two_legs([0.0, 80.0], "");
+    let folder = Folder::new("record-collides").file("robot.toml", &robot);
+    let folder = folder.program("p.prg", "END");
+    let mut bus = ServoBus::of(&robot, 0.0);
+    let mut lesson = Lesson::begin(&folder, &bus, &["-o", "wave.prg"]);
+    turn_to(&mut bus, &robot, &[0.0, -60.0, 0.0, 60.0]);
+    lesson.press(
+        b' ',
+        "pose 1 is added\nin pose 1 link22 and link12 overlap by 18.0 mm",
+    );
+    turn_to(&mut bus, &robot, &[0.0; 4]);
+    lesson.press(b'g', "link22 and link12 would overlap by ");
+    lesson.says("nothing moves");
+    assert!(bus.stiff().is_empty());
+    lesson.press(b' ', "pose 2 is added\n");
+    lesson.press(b'g', "r switches the torque off\n");
+    lesson.press(b'r', "the joints are free\n");
+    lesson.pty.press(b'q');
+    lesson.ends().expect(0);
+    // The way of a run to its first posture is judged in the same way: both ends are free, and the links cross on the way.
+    turn_to(&mut bus, &robot, &[0.0, -80.0, 0.0, 0.0]);
+    let run = ["run", "p.prg", "--hardware", "robot.toml", "--yes"];
+    let outcome = folder.tip(&[&run[..], &["--port", bus.port()]].concat());
+    let outcome = outcome.expect(1);
+    assert!(outcome.err.contains("would overlap by "), "{outcome:#?}");
+    assert!(bus.stiff().is_empty(), "{outcome:#?}");
 }
 
 /// A file that appears during a lesson is not replaced, and what was taught is printed.

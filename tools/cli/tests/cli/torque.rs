@@ -43,6 +43,32 @@ in_emergency = \"{in_emergency}\"
     )
 }
 
+/// Two legs of one turning link of 180 mm, 200 mm apart, with initial angles of J12 and J22, deg. Their links have radii of 9 mm, and
+/// cross where each has turned by more than 30.4 deg towards the other.
+pub(crate) fn two_legs([one, other]: [f64; 2], keys: &str) -> String {
+    let drives: String = ["J11", "J12", "J21", "J22"]
+        .iter()
+        .zip(1..)
+        .map(|(joint, id)| format!("[[drive]]\njoint = \"{joint}\"\nid = {id}\n"))
+        .collect();
+    format!(
+        "name = \"two\"
+joint = [
+    {{ axis = \"z\", link = [20, 0, 0], limits = [-90, 90] }},
+    {{ axis = \"z\", link = [180, 0, 0], limits = [-90, 90]{keys} }},
+]
+leg = [{{ base = [0, 100, 0], initial = [0, {one}] }}, {{ base = [0, -100, 0], initial = [0, {other}] }}]
+[bus]
+servo = \"STS3215\"
+latency = 400
+silence = 200
+lag = [90, 60]
+at_end = \"relax\"
+start = 90
+{drives}"
+    )
+}
+
 /// It says that it runs, and then does nothing.
 pub(crate) const WAITS: &str = "MESSAGE go\nL1:\nSLEEP 100\nGOTO L1:\nEND";
 
@@ -463,6 +489,55 @@ fn jog_leaves_the_robot_as_the_file_says() {
         said.contains("J12 (servo 2) needs 1.00 of its torque"),
         "{said}"
     );
+}
+
+/// A key that would turn a link into another one is refused, and the robot holds.
+#[test]
+fn jog_turns_no_link_into_another() {
+    let mut session = Session::new("jog-collides", &two_legs([-28.0, 28.0], ""), 0.5, WAITS);
+    let child = session.start(&["drives", "jog", "robot.toml", "J12"]);
+    session.bus.await_that("it holds", |bus| {
+        bus.servos().iter().all(|servo| servo.has_torque())
+    });
+    for _ in 0..12 {
+        session.pty.press(b'-');
+    }
+    session.pty.press(b'q');
+    let outcome = session.ended(child).expect(0);
+    let said = "link22 and link12 would overlap by ";
+    assert!(outcome.err.contains(said), "{outcome:#?}");
+    // -28 deg, turned by 4 deg at most: 2048 counts are 0 deg, and 4096 a turn.
+    let turned = (session.bus.with(positions)[1] - 2048.0) * 360.0 / 4096.0;
+    assert!((-33.0..-27.0).contains(&turned), "{turned}: {outcome:#?}");
+}
+
+/// Links that are thicker than the robot's pose allows are compared with nothing, and this is said before the torque.
+#[test]
+fn pairs_that_overlap_at_first_are_named_before_the_torque() {
+    let ends = "MESSAGE go\nEND";
+    // 200 mm between both links, and 98 or 101 mm of each radius.
+    for (keys, line) in [
+        (", radius = 98", None),
+        (", radius = 101", Some("link22/link12 (2.0 mm)")),
+    ] {
+        let robot = two_legs([0.0, 0.0], keys);
+        let session = Session::new("not-compared", &robot, 0.5, ends);
+        let outcome = session.ended(session.run()).expect(0);
+        let warned = outcome.err.find("warning: not compared: ");
+        assert_eq!(warned.is_some(), line.is_some(), "{outcome:#?}");
+        let checked = session.folder.tip(&["robot", "check", "robot.toml"]);
+        let checked = checked.expect(0).out;
+        assert_eq!(checked.contains("not compared: "), line.is_some());
+        if let (Some(line), Some(warned)) = (line, warned) {
+            assert!(checked.contains(line), "{checked}");
+            assert!(outcome.err.contains(line), "{outcome:#?}");
+            let torque = outcome
+                .err
+                .find("to the initial posture")
+                .unwrap_or(usize::MAX);
+            assert!(warned < torque, "{outcome:#?}");
+        }
+    }
 }
 
 /// `q` and ESC are its own ends; what ends every command has the status that it has everywhere.

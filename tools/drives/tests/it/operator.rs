@@ -4,11 +4,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tip_drives::TorqueGuard;
 use tip_drives::described::{self, Described};
-use tip_drives::drives::{Policy, Problem};
+use tip_drives::drives::{Failure, Policy, Problem};
 use tip_drives::guard::{Request, Step};
 use tip_drives::operator::{self, Operator};
 use tip_drives::port::AnyPort;
-use tip_drives::simulated::MemoryPort;
+use tip_drives::simulated::{MemoryPort, Servo, SimulatedBus};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::Part;
 
@@ -43,7 +43,25 @@ id = 2
 
 /// Connects to the simulated servos of a robot whose program writes its signals here.
 fn connected(robot: &Described, signal: &Arc<AtomicUsize>) -> TorqueGuard<AnyPort, Operator> {
-    let port = AnyPort::Memory(Box::new(MemoryPort::new(robot.simulated())));
+    on(robot, robot.simulated(), signal)
+}
+
+/// Connects to the servos of a robot whose joints a hand has left at these angles, deg.
+fn left_at(robot: &Described, angles: [f64; 4]) -> TorqueGuard<AnyPort, Operator> {
+    let servos = robot.joints.iter().zip(angles);
+    let servos = servos
+        .map(|(joint, angle)| Servo::new(joint.model, joint.id, joint.counts(angle).into()))
+        .collect();
+    let bus = SimulatedBus::new(servos, robot.timing());
+    on(robot, bus, &Arc::default())
+}
+
+fn on(
+    robot: &Described,
+    bus: SimulatedBus,
+    signal: &Arc<AtomicUsize>,
+) -> TorqueGuard<AnyPort, Operator> {
+    let port = AnyPort::Memory(Box::new(MemoryPort::new(bus)));
     let drives = robot.drives(port).expect("right");
     let operator = Operator::of_signals(Arc::clone(signal)).of_robot(robot);
     let mut guard = TorqueGuard::new(drives, operator, robot.period);
@@ -189,4 +207,68 @@ fn a_robot_whose_file_says_warn_goes_on() {
     // Near misses go on with the default, too.
     let (problem, _, _) = close(&two_legs(""), 30);
     assert_eq!(problem, None);
+}
+
+/// Both links cross where each has turned by more than 30.4 deg towards the other. A leg that is level and one that has turned by 80 deg
+/// are 200 - 180 · sin(80 deg) = 22.7 mm apart, less 18 mm of both radii; halfway from one such posture to the other, at 40 deg, they
+/// cross.
+#[test]
+fn a_way_through_a_collision_gets_no_torque() {
+    let (one, other) = ([0.0, -80.0, 0.0, 0.0], [0.0, 0.0, 0.0, 80.0]);
+    let robot = two_legs("");
+    for (to, hits) in [(&other[..], true), (&[0.0; 4][..], false)] {
+        let mut guard = left_at(&robot, one);
+        let collision = guard.collision([to], 30.0);
+        assert_eq!(collision.is_some(), hits);
+        let approached = guard.approach(to, 30.0);
+        if !hits {
+            assert_eq!(approached, Ok(Step::Arrived));
+            continue;
+        }
+        let Err(Failure {
+            problem: Problem::Collides(gap),
+            ..
+        }) = approached
+        else {
+            panic!("{approached:?}");
+        };
+        assert_eq!(gap.parts, [Part::Link(2, 2), Part::Link(1, 2)]);
+        assert!(!guard.has_torque() && guard.outcome().is_none());
+        // J12 comes back from -80 while J22 goes to 80, at the same speed: they meet before the middle.
+        let collision = collision.expect("it hits itself");
+        let [_, first, _, second] = collision.angles[..] else {
+            panic!("{collision:?}");
+        };
+        assert!((second - first - 80.0).abs() < 1.0, "{collision:?}");
+        assert!(second > 5.0 && second < 40.0, "{collision:?}");
+        // Straight ways by the level posture are free.
+        assert_eq!(guard.collision([&[0.0; 4][..], to], 30.0), None);
+    }
+    // Its file says to warn only.
+    let warns = two_legs("collisions = \"warn\"");
+    let mut guard = left_at(&warns, one);
+    assert!(guard.collision([&other[..]], 30.0).is_some());
+    assert_eq!(guard.approach(&other, 30.0), Ok(Step::Arrived));
+}
+
+/// A robot that holds is stopped before the command that makes two parts overlap.
+#[test]
+fn a_step_into_a_collision_stops_the_robot() {
+    let mut guard = left_at(&two_legs(""), [0.0, -20.0, 0.0, 20.0]);
+    assert_eq!(guard.hold(), Ok(Step::Moving));
+    let reached = guard.reach(&[0.0, -60.0, 0.0, 60.0], 30.0);
+    let problem = reached.map_err(|failure| failure.problem);
+    assert!(matches!(problem, Err(Problem::Collides(_))), "{problem:?}");
+    assert!(guard.is_stopped());
+}
+
+#[test]
+fn a_robot_found_in_an_overlap_may_leave_it_and_go_no_deeper() {
+    // 200 - 360 · sin(31 deg) = 14.6 mm, and 18 mm of both radii.
+    let (robot, touching) = (two_legs(""), [0.0, -31.0, 0.0, 31.0]);
+    let left = left_at(&robot, touching).approach(&[0.0; 4], 30.0);
+    assert_eq!(left, Ok(Step::Arrived));
+    let deeper = left_at(&robot, touching).approach(&[0.0, -40.0, 0.0, 40.0], 30.0);
+    let problem = deeper.map_err(|failure| failure.problem);
+    assert!(matches!(problem, Err(Problem::Collides(_))), "{problem:?}");
 }

@@ -87,6 +87,19 @@ pub(super) fn description(source_name: &str, found: &RobotParts<'_>) -> (String,
         printed(source_name),
         robot_name(found.name)
     );
+    let outside = postures.clone().zip(legs).flat_map(|(angles, leg)| {
+        let joints = leg.joints.iter().map(|turning| turning.joint).zip(angles);
+        joints.filter(|(joint, angle)| {
+            let [min, max] = ends(joint);
+            !(min..=max).contains(&measure(**angle))
+        })
+    });
+    let outside: Vec<String> = outside.map(|(joint, _)| limited(joint)).collect();
+    if !outside.is_empty() {
+        report.push(Importing::PostureOutside {
+            joints: List(outside),
+        });
+    }
     for (number, leg) in (1..).zip(legs) {
         let what = Importing::Leg {
             number,
@@ -136,7 +149,12 @@ fn leg_table(
     let base = leg.joints.first().map_or([0.0; 3], |first| first.at);
     let mut text = format!("base = {}\n", vector(base.map(place)));
     if let Some(angles) = initial {
-        let angles: Vec<f64> = angles.iter().copied().map(measure).collect();
+        let joints = leg.joints.iter().map(|turning| turning.joint);
+        let angles = joints.zip(angles).map(|(joint, angle)| {
+            let [min, max] = ends(joint);
+            measure(*angle).clamp(min, max)
+        });
+        let angles: Vec<f64> = angles.collect();
         let _ = writeln!(text, "initial = {angles:?}");
     }
     text.push_str("joint = [\n");
@@ -399,6 +417,13 @@ fn limits(joint: &Joint) -> (Option<[f64; 2]>, Stated) {
 /// Returns the limits of a joint that has some, rad.
 fn stated_limits(joint: &Joint) -> Option<[f64; 2]> {
     limits(joint).0
+}
+
+/// Returns the ends between which a joint turns, deg, in order.
+fn ends(joint: &Joint) -> [f64; 2] {
+    let ends = stated_limits(joint).map(|ends| ends.map(|end| measure(end.to_degrees())));
+    ends.filter(|[min, max]| min <= max)
+        .unwrap_or([-180.0, 180.0])
 }
 
 /// Formats a joint and its resulting limits, deg.

@@ -4,14 +4,14 @@
 //! are known: they are judged when the program waits for the last joint that moves. Anywhere else a PTP_ANGLE of a whole leg is
 //! judged, with the links of that leg and the body alone.
 
-use super::{constants, place, stops_at_limits, tenths};
+use super::{constants, keeps_targets, place, stops_at_limits, tenths};
 use crate::Robot;
 use crate::message::Linting;
-use crate::model::{Distances, Miss};
+use crate::model::Miss;
 use std::collections::{BTreeMap, BTreeSet};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::Part;
-use tip_runtime::plant::Gap;
+use tip_runtime::plant::{Distances, Gap};
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
@@ -122,24 +122,7 @@ impl<'a> Postures<'a> {
                 }
                 true
             }
-            Action::Command { op, .. } => matches!(
-                op,
-                Op::Sleep
-                    | Op::WaitNear
-                    | Op::LampOn
-                    | Op::LampOff
-                    | Op::LogStart
-                    | Op::LogStop
-                    | Op::SetVMax
-                    | Op::SetAMax
-                    | Op::SetVMaxRate
-                    | Op::SetAMaxRate
-            ),
-            Action::Nothing
-            | Action::SetScalar { .. }
-            | Action::SetStruct { .. }
-            | Action::Message { .. } => true,
-            _ => false,
+            action => keeps_targets(action),
         };
         self.targets = self.targets.take().filter(|_| goes_on);
         None
@@ -148,11 +131,11 @@ impl<'a> Postures<'a> {
     /// Judges the posture of joints that have all arrived. A posture counts at the commands that lead there.
     fn judge(&mut self) -> Option<(Span, Gap)> {
         let commanded = std::mem::take(&mut self.commanded);
-        let gap = (self.distances)(self.targets.as_ref()?)?;
+        let gap = self.distances.overlap(self.targets.as_ref()?)?;
         let legs = gap.parts.into_iter().filter_map(leg_of);
         let commands = legs.filter_map(|leg| commanded.get(&leg).copied());
         let last = commands.max_by_key(|span| span.start)?;
-        (gap.distance < 0.0).then_some((last, gap))
+        Some((last, gap))
     }
 
     /// Returns the parts of one leg, or a link and the body, that overlap at the end of a command to the whole leg.
@@ -176,11 +159,11 @@ impl<'a> Postures<'a> {
         for (joint, angle) in turns.iter().filter(|_| turns.len() == self.of_leg) {
             angles[*joint] = *angle;
         }
-        let gap = (self.distances)(&angles)?;
+        let gap = self.distances.overlap(&angles)?;
         let is_own = gap
             .parts
             .into_iter()
             .all(|part| leg_of(part).is_none_or(|of| of == *leg));
-        (gap.distance < 0.0 && is_own).then(|| (span(), gap))
+        is_own.then(|| (span(), gap))
     }
 }

@@ -296,7 +296,27 @@ fn a_keyframe_is_the_initial_posture() {
     let (import, description) = imported(&text.replace("</mujoco>", keys));
     let model: Model<1, 1> = description.model().expect("one leg");
     near(&model.legs[0].initial, &[0.5_f64.to_degrees()]);
-    assert!(reported(&import).contains("keyframe home"));
+    let said = reported(&import);
+    assert!(said.contains("keyframe home") && !said.contains("outside of the limits"));
+}
+
+/// MuJoCo lets a keyframe be outside of a range: the initial posture is at its end.
+#[test]
+fn a_keyframe_outside_of_the_limits_ends_there() {
+    let text = finger("", &HINGE.replace("-90 90", "-28.6 28.6"));
+    for (qpos, angle) in [
+        ("0.5", 28.6),
+        ("-0.6", -28.6),
+        ("0.4", 0.4_f64.to_degrees()),
+    ] {
+        let keys = format!("<keyframe><key name=\"home\" qpos=\"{qpos}\"/></keyframe></mujoco>");
+        let (import, description) = imported(&text.replace("</mujoco>", &keys));
+        let model: Model<1, 1> = description.model().expect("one leg");
+        near(&model.legs[0].initial, &[angle]);
+        let line = "outside of the limits of these joints, and the initial posture is at their ends: a [-28.6, 28.6]";
+        let is_outside = reported(&import).contains(line);
+        assert_eq!(is_outside, angle.abs() == 28.6, "{qpos}");
+    }
 }
 
 /// Four legs whose names say that −x is forward.

@@ -1,7 +1,7 @@
 //! Quantities of robots and scenes: a case is as if their files had the number.
 
 use crate::{numbers, rows, spec, texts};
-use tip_sim::{Robot, import, urdf};
+use tip_sim::{Robot, import, mjcf, urdf};
 use tip_sweep::{Cell, PlantSpec, RobotSpec, Row, Spec, Sweep, Table};
 use tipc::message::Lang;
 
@@ -83,6 +83,9 @@ fn a_robot_may_be_a_urdf_file() {
         assert!(described.line().starts_with(&lines(cells)), "{cells:?}");
     }
     assert_ne!(hashes(&imported)[0], hashes(&imported)[1]);
+    // Its root element tells MJCF from URDF.
+    let walker = RobotSpec::Urdf(mjcf::export(&robot)).robot();
+    assert_eq!(walker.expect("it is a robot").description().legs.len(), 6);
     let broken = Spec {
         robot: RobotSpec::Urdf("<robot/>".to_owned()),
         ..spec(crate::LIFT, &[])

@@ -45,6 +45,10 @@ pub(super) fn go(
         complain(failure);
         return Ok(Gone::Limp);
     }
+    if let Some(reason) = connection.refusal_of_way(poses) {
+        report::complain(&format!("{reason}\n"));
+        return Ok(Gone::Limp);
+    }
     connection.take_over(true);
     let mut ends = false;
     let step = through(connection, poses, &mut ends, lang, show);

@@ -424,7 +424,8 @@ impl Stance {
                 let names: Vec<String> = group.iter().map(|leg| foot_name(*leg)).collect();
                 return Err(Making::NoBalance {
                     feet: names.join(" "),
-                    margin: margin.round(),
+                    // Adding 0 makes of −0 a plain 0.
+                    margin: margin.round() + 0.0,
                 });
             }
         }

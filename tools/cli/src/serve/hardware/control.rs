@@ -141,7 +141,7 @@ impl Control {
     /// Works until the command is to end. The robot is left then.
     pub(super) fn work(mut self, has_priority: bool) -> Status {
         if has_priority {
-            realtime::warn(&realtime::prioritise(), self.lang);
+            realtime::warn(realtime::prioritise(), self.lang);
         }
         let mut has_moved = false;
         while let Some(starter) = self.await_start() {
@@ -248,6 +248,10 @@ impl Control {
             (Err(failure), _) => return self.refuse(self.connection.explain(failure)),
             (_, Err(reason)) => return self.refuse(reason),
         };
+        let initial = self.connection.setup.initial.clone();
+        if let Some(reason) = self.connection.refusal_of_way(&[initial]) {
+            return self.refuse(reason);
+        }
         // The file is opened before the torque is on, so that no control cycle waits for it.
         let opened = self
             .trace
