@@ -34,24 +34,71 @@ unpack() {
   mv "$unpacked.part" "$unpacked"
 }
 
-# Runs a command of cargo with that compiler: the libraries of Rust that are built for the target, the command, its arguments.
+# Runs a command whose cargo uses that compiler: the libraries of Rust that are built for the target, the command, its arguments.
+with_debian() {
+  local libraries=$1
+  shift
+  [[ -d $unpacked ]] || unpack
+  env LD_LIBRARY_PATH="$unpacked/usr/lib/$(uname -m)-linux-gnu" \
+    RUSTC="$unpacked/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR="$target/debian" CARGO_UNSTABLE_BUILD_STD="$libraries" "$@"
+}
+
+# Runs a command of cargo with that compiler: the libraries of Rust, the command, its arguments.
 debian_cargo() {
   local libraries=$1 verb=$2
   shift 2
+  with_debian "$libraries" cargo "$verb" --locked "$@"
+}
+
+# Sets `tools` to the folder of the stock toolchain's linker, which links for a target from now on.
+link_for() {
+  local host
+  host=$(rustc -vV | sed -n 's/^host: //p')
+  tools=$(rustc --print sysroot)/lib/rustlib/$host/bin
+  [[ -x $tools/rust-lld ]] || skip "the stock toolchain has no rust-lld"
+  export "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$1")_LINKER=$tools/rust-lld"
+}
+
+# Gives that compiler what static programs for musl are linked with, and what rustup's target of this name has: Debian's C library,
+# LLVM's unwinder, and the beginning and end of a program by GCC.
+link_musl() {
+  local triple=$1 processor folder part packages archive apt
+  link_for "$triple"
   [[ -d $unpacked ]] || unpack
-  env LD_LIBRARY_PATH="$unpacked/usr/lib/$(uname -m)-linux-gnu" \
-    RUSTC="$unpacked/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR="$target/debian" \
-    cargo "$verb" --locked "-Zbuild-std=$libraries" "$@"
+  folder=$unpacked/usr/lib/rustlib/$triple/lib/self-contained
+  [[ ! -d $folder ]] || return 0
+  case $triple in
+    x86_64-*) processor=amd64 ;;
+    aarch64-*) processor=arm64 ;;
+  esac
+  part=$unpacked/$triple.part
+  rm -rf "$part"
+  mkdir -p "$part/lists/partial" "$part/packages" "${folder%/*}"
+  # Lists of its own, since this machine's have packages for its own processor alone.
+  apt=(-o "APT::Architectures::=$(dpkg --print-architecture)" -o "APT::Architectures::=$processor" -o "Dir::State::Lists=$part/lists"
+    -o "Dir::Cache=$part" -o APT::Sandbox::User=root)
+  apt-get -qq "${apt[@]}" update || skip "the lists of packages for $processor cannot be downloaded"
+  mapfile -t packages < <(printf '%s\n' musl-dev
+    for name in libunwind libgcc; do
+      apt-cache "${apt[@]}" search --names-only "^$name-[0-9]+-dev\$" | sed 's/ .*//' | sort -V | head -n 1
+    done)
+  (cd "$part/packages" && apt-get -qq "${apt[@]}" download "${packages[@]/%/:$processor}") || skip "the packages for $triple cannot be downloaded"
+  for archive in "$part/packages"/*.deb; do
+    dpkg -x "$archive" "$part"
+  done
+  mkdir "$part/found"
+  find "$part/usr" \( -name 'crt*.o' -o -name '*crt1.o' -o -path '*-musl/lib*.a' -o -path '*/llvm-*/libunwind.a' \) -exec cp {} "$part/found" \;
+  # The unwinder is of another C library: it prints by this function before it aborts.
+  LD_LIBRARY_PATH=$(rustc --print sysroot)/lib "$tools/rust-objcopy" --redefine-sym __fprintf_chk=abort "$part/found/libunwind.a"
+  mv "$part/found" "$folder"
+  rm -r "$part"
 }
 
 # Builds a package for a target by a profile, with those libraries of Rust's that are told; the stock toolchain's linker
 # links it.
 build_for() {
-  local triple=$1 package=$2 profile=${3:-release} libraries=${4:-core} linker host
-  host=$(rustc -vV | sed -n 's/^host: //p')
-  linker=$(rustc --print sysroot)/lib/rustlib/$host/bin/rust-lld
-  [[ -x $linker ]] || skip "the stock toolchain has no rust-lld"
-  export "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$triple")_LINKER=$linker"
+  local triple=$1 package=$2 profile=${3:-release} libraries=${4:-core}
+  link_for "$triple"
   debian_cargo "$libraries" build --profile "$profile" --target "$triple" --package "$package"
   built=$target/debian/$triple/$profile
 }

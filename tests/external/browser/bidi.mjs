@@ -18,11 +18,12 @@ function reads(stream, pattern) {
   });
 }
 
-export async function launchFirefox() {
+/** Starts Firefox; `changed` preferences replace those that all tests have. */
+export async function launchFirefox(changed = {}) {
   const screen = spawn('Xvfb', ['-displayfd', '1', '-screen', '0', '1400x1000x24'], { stdio: ['ignore', 'pipe', 'ignore'] });
   const display = await reads(screen.stdout, /(\d+)\n/);
   const profile = mkdtempSync(join(tmpdir(), 'tip-firefox-'));
-  const preferences = Object.entries(PREFERENCES).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`);
+  const preferences = Object.entries({ ...PREFERENCES, ...changed }).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`);
   writeFileSync(join(profile, 'user.js'), preferences.join(''));
   const env = { ...process.env, DISPLAY: `:${display}`, MOZ_X11_EGL: '1', LIBGL_ALWAYS_SOFTWARE: '1' };
   const firefox = spawn('firefox-esr', ['--no-remote', '--profile', profile, '--remote-debugging-port', '0'], { env, stdio: ['ignore', 'ignore', 'pipe'] });
@@ -79,12 +80,22 @@ class Session {
     return answer.result.value === undefined ? undefined : JSON.parse(answer.result.value);
   }
 
-  /** Opens a page and waits until it is ready. */
-  async open(url) {
+  /** Opens a page. */
+  async load(url) {
     [this.asked, this.complaints] = [[], []];
     // It goes there from another page, because a new fragment alone opens nothing anew.
     await this.send('browsingContext.navigate', { context: this.context, url: 'about:blank', wait: 'complete' });
     await this.send('browsingContext.navigate', { context: this.context, url, wait: 'complete' });
+  }
+
+  /** Opens a page and waits until it is ready. */
+  async open(url) {
+    await this.load(url);
+    await this.ready();
+  }
+
+  /** Waits until the page that is shown is ready. */
+  async ready() {
     await this.run(async () => {
       while (!document.documentElement.dataset.ready) await new Promise((resolve) => setTimeout(resolve, 50));
     });

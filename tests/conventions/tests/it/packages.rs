@@ -39,6 +39,26 @@ fn each_published_package_holds_its_licences_and_its_front_page() {
     }
 }
 
+/// docs.rs shows every feature, each item with the feature that it needs.
+#[test]
+fn each_published_package_is_documented_with_all_features() {
+    for package in published() {
+        let manifest = fs::read_to_string(package.folder.join("Cargo.toml")).expect("a manifest");
+        assert!(
+            manifest.contains("\n[package.metadata.docs.rs]\nall-features = true\n"),
+            "{}",
+            package.name
+        );
+        if let Ok(library) = fs::read_to_string(package.folder.join("src/lib.rs")) {
+            assert!(
+                library.contains("\n#![cfg_attr(docsrs, feature(doc_cfg))]\n"),
+                "{}",
+                package.name
+            );
+        }
+    }
+}
+
 /// The page of the playground gives its module a clock and nothing else; bindings of browsers would import more. Logs and plots
 /// are for the command.
 #[test]
