@@ -479,9 +479,6 @@ impl Connection {
             }
         };
         self.finish();
-        if status == Status::Failure {
-            report_stiff(self, self.lang);
-        }
         Some(status)
     }
 
@@ -495,14 +492,11 @@ impl Connection {
         report::say(pressed, self.lang);
     }
 
-        Some(status)
-    }
-
     /// Reports the reason why no torque was switched on, and returns the status of the command.
     fn refused(&self, reason: &str) -> Status {
         report::complain(&format!("{reason}\n"));
         self.finish();
-        super::report_stiff(self, self.lang);
+        report_stiff(self, self.lang);
         Status::Failure
     }
 
