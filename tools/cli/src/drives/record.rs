@@ -68,7 +68,7 @@ pub(crate) struct Record {
     #[arg(long)]
     force: bool,
 
-    /// Add to an existing program, before a line or its END
+    /// Add to a program, before a line or its END
     ///
     /// All other lines stay. The program is written only if it has no errors with the new lines; else these
     /// are printed
@@ -81,15 +81,16 @@ pub(crate) struct Record {
     #[arg(long)]
     continuous: bool,
 
-    /// The error of a motion at each joint, deg
+    /// Largest error of a joint, deg
     ///
     /// 0.2 to 45
     #[arg(long, value_name = "DEG", default_value = "1", value_parser = error, requires = "continuous")]
     error: f64,
 
-    /// Show the robot on a page, to this machine alone without an address
+    /// Show the robot on a page
     ///
-    /// Nobody teaches from the page; its emergency stop is for everybody who has the address. Port 0 selects a free one
+    /// Without an address for this machine alone. Nobody teaches from the page; its emergency stop is for everybody who has
+    /// the address. Port 0 selects a free one
     #[arg(long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = OWN)]
     listen: Option<SocketAddr>,
 }
