@@ -86,8 +86,8 @@ pub trait Host<P> {
     fn request(&mut self) -> Option<Request>;
 
     /// Returns the least distance of two parts of the robot at these joint angles, deg, leg by leg; `None` where nobody knows it.
-    /// With [`Settings::stops_collisions`] a command to a posture in which two parts overlap is not sent, and stops the robot.
-    /// One that makes an overlap no deeper, in which the robot was found, is sent.
+    /// A command to a posture in which two parts overlap is not sent, and stops the robot, if [`Settings::stops_collisions`] is true.
+    /// A robot that was found in an overlap may still get commands that make it no deeper.
     fn gap(&self, angles: &[f64]) -> Option<Gap> {
         let _ = angles;
         None

@@ -351,7 +351,7 @@ struct Recording<'a> {
     shown_at: u64,
     /// The page that shows the robot.
     page: Option<LessonPage>,
-    /// What is wrong with the robot.
+    /// The last failure of the robot, until a cycle without one.
     failure: Option<Failure>,
     /// Servos that are simulated keep real time by it.
     pacer: Pacer,

@@ -23,7 +23,7 @@ type Shown = Mutex<Option<(Vec<f64>, LessonState)>>;
 
 /// The page of a lesson, which other threads serve.
 pub(crate) struct LessonPage {
-    /// What the page does not show yet.
+    /// The newest posture and state, until the page has taken them.
     shown: Arc<Shown>,
     due: Instant,
 }

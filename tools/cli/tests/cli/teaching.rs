@@ -872,7 +872,7 @@ fn poses_are_added_to_a_program_that_exists() {
         String::from_utf8_lossy(&written),
         String::from_utf8_lossy(&[&before[..], &block, &after].concat())
     );
-    // Another lesson goes on before END, whose line is parted.
+    // SLEEP 20 and END share a line. A second lesson adds its pose between them.
     let mut lesson = Lesson::begin(&folder, &bus, &["-o", "walk.prg", "--at", "end"]);
     lesson.press(b' ', "pose 1 is added\n");
     lesson.pty.press(b'q');

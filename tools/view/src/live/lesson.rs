@@ -1,4 +1,4 @@
-//! A robot that is taught by hand, which people watch. They teach and move nothing; the emergency stop is for everybody.
+//! A robot that is taught by hand, which people watch. Viewers can neither teach nor move it. The emergency stop is for everybody.
 //!
 //! The lesson itself is elsewhere. Its host passes on the posture and the [`LessonState`] ([`LessonSession::show`]), and obeys the
 //! emergency stops that [`LessonSession::ask`] reports. A viewer gets the last posture alone, as the first cycle of a run: each one
@@ -13,7 +13,7 @@ use crate::updates::{self, Part, json};
 use serde::Serialize;
 use tip_sim::Robot;
 
-/// What a robot does that is taught.
+/// The phase of a lesson.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LessonPhase {
@@ -29,7 +29,7 @@ pub enum LessonPhase {
 /// The state of a lesson.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct LessonState {
-    /// What the robot does.
+    /// The phase of the lesson.
     pub phase: LessonPhase,
     /// The names of the poses so far.
     pub poses: Vec<String>,
@@ -39,7 +39,7 @@ pub struct LessonState {
     pub samples: Option<usize>,
     /// Leg by leg.
     pub servos: Vec<ServoState>,
-    /// What is wrong with the robot.
+    /// The reason why the robot cannot be measured, in words for people.
     pub problem: Option<String>,
 }
 
