@@ -14,7 +14,6 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, MutexGuard, Once, PoisonError, mpsc};
 use std::time::Duration;
 use std::{fs, process, thread};
-use tip_drives::operator;
 use tip_runtime::console::TerminalState;
 
 /// The number of the first signal; 0 before. A key counts as Ctrl-C. The operator of a robot reads it, and writes it.
@@ -80,7 +79,7 @@ static LISTENER: Mutex<Option<signal_hook::iterator::Handle>> = Mutex::new(None)
 fn listen() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
     let signals = [SIGINT, SIGTERM, SIGHUP, SIGQUIT].into_iter();
-    let signals = signals.filter(|signal| !operator::is_ignored(*signal));
+    let signals = signals.filter(|signal| !tip_drives::operator::is_ignored(*signal));
     let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) else {
         return;
     };
@@ -101,7 +100,7 @@ fn listen() {
 #[cfg(unix)]
 fn listen_for_robot() {
     if let Some(listener) = lock(&LISTENER).as_ref() {
-        for signal in operator::signals() {
+        for signal in tip_drives::operator::signals() {
             // A signal that the system does not tell of ends the process as before.
             let _ = listener.add_signal(signal);
         }

@@ -1180,9 +1180,9 @@ tipc::message_table! {
     NotInAName { most: usize }
         "a name has letters, digits and _, {most} at most",
         "名前は英数字と _ で、{most}文字までです";
-    NotAPoseName { name: String }
-        "`{name}` cannot name a pose: use a letter, then letters, digits and _, 29 characters at most, and no name that the program has",
-        "`{name}` は姿勢の名前に使えません。英字で始まる29文字以内の英数字と _ で、プログラムにまだない名前にしてください";
+    NotAPoseName { name: String, most: usize }
+        "`{name}` cannot name a pose: use a letter, then letters, digits and _, {most} characters at most, and no name that the program has",
+        "`{name}` は姿勢の名前に使えません。英字で始まる{most}文字以内の英数字と _ で、プログラムにまだない名前にしてください";
     PoseGoes { speed: f64 }
         "the torque is switched on, and the joints move with {speed} deg/s; RETURN is the emergency stop",
         "トルクを入れ、関節を{speed}度/sで動かします。RETURNは非常停止です";

@@ -6,7 +6,6 @@ mod connections;
 mod controls;
 mod hardware;
 mod hub;
-mod invitation;
 pub(crate) mod lesson;
 pub(crate) mod place;
 

@@ -1,7 +1,7 @@
 
 use tip_runtime::plant::{Object, Scene, Shape};
 
-/// What the hand grasps, as scene.toml has it: a cylinder, upright, 100 mm across, 60 mm high, 0.2 kg.
+/// The object that the hand grasps, as scene.toml has it: a cylinder, upright, 100 mm across, 60 mm high, 0.2 kg.
 pub const SCENE: Scene = {
     let mut scene = Scene::EMPTY;
     scene.objects[0] = Some(Object {

@@ -1,4 +1,4 @@
-//! What the motion must not lose when it is tuned.
+//! Properties of the motion that must stay when it is tuned.
 
 use <<crate>>::<<items>>;
 

@@ -68,7 +68,7 @@ pub const SETTLING: u32 = 15;
 /// Cycles in which each servo is read once, where they are read one by one.
 const READINGS: u32 = 4;
 
-/// What the operator of a robot asks for.
+/// A request by the operator of a robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Request {
     /// The ordered end: the servos get the state of [`Settings::at_end`].

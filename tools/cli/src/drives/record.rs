@@ -533,7 +533,8 @@ impl<'a> Recording<'a> {
         }
         let is_own = self.poses[self.chosen].name == name;
         if !is_own && !self.is_free(&name) {
-            return self.say(Driving::NotAPoseName { name });
+            let most = NAME_LIMIT;
+            return self.say(Driving::NotAPoseName { name, most });
         }
         self.poses[self.chosen].name = name;
         self.choose(self.chosen);

@@ -45,7 +45,7 @@ const TRAVEL: f64 = 240.0;
 /// "30000 ms" at most.
 const MAX_MOVE: u16 = 30_000;
 
-/// What is kept without power.
+/// The settings that are kept without power.
 #[derive(Clone, Copy, Debug)]
 struct Kept {
     id: u8,

@@ -122,7 +122,7 @@ fn table(number: i64) -> Table {
 #[derive(Clone, Debug)]
 pub(super) struct Sts {
     table: Table,
-    /// Where the shaft was last, deg.
+    /// The last angle of the shaft, deg.
     angle: f64,
     now: u64,
     /// Time since when the load is above the overload torque, µs.

@@ -228,7 +228,7 @@ pub(super) struct X {
     table: Table,
     /// Time of the last instruction, µs.
     heard: u64,
-    /// Where the shaft was last, deg.
+    /// The last angle of the shaft, deg.
     angle: f64,
     /// Distance to the goal when it was written, deg.
     distance: f64,

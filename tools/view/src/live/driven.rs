@@ -41,7 +41,7 @@ pub struct Prepared {
     version: u64,
 }
 
-/// What a robot on servos does.
+/// The phase of a run on servos.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Phase {
@@ -83,7 +83,7 @@ pub struct ServoState {
 /// The state of a robot on servos.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RobotState {
-    /// What it does.
+    /// The phase of its run.
     pub phase: Phase,
     /// Leg by leg.
     pub servos: Vec<ServoState>,
@@ -97,7 +97,7 @@ pub struct RobotState {
     pub period: f64,
     /// Time from the arrival of an emergency stop until the servos were told, ms.
     pub stopped_in: Option<f64>,
-    /// What is wrong with the robot.
+    /// The problem that was found last, as a sentence.
     pub problem: Option<String>,
 }
 

@@ -41,7 +41,7 @@ const AT_REST: [f64; STICKS] = [STICK_AT_REST; STICKS];
 /// Range of a stick's reading, V.
 const READINGS: std::ops::RangeInclusive<f64> = 0.0..=10.0;
 
-/// What silence of the driving page leads to.
+/// Rules of driving: the button, and the answers to silence of the driving page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules {
     /// True if the robot moves only while the button is held.
@@ -81,7 +81,7 @@ impl Default for Rules {
     }
 }
 
-/// What the robot may do.
+/// The freedom that is left to the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Stage {
