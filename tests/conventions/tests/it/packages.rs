@@ -39,6 +39,15 @@ fn each_published_package_holds_its_licences_and_its_front_page() {
     }
 }
 
+/// PyPI would take a wheel of an old version for one that it has.
+#[test]
+fn the_python_package_has_the_version_of_the_crates() {
+    let manifest = root().join("tools/python/native/Cargo.toml");
+    let manifest = fs::read_to_string(manifest).expect("a manifest");
+    let version = format!("\nversion = \"{}\"\n", env!("CARGO_PKG_VERSION"));
+    assert!(manifest.contains(&version), "not{version}");
+}
+
 /// docs.rs shows every feature, each item with the feature that it needs.
 #[test]
 fn each_published_package_is_documented_with_all_features() {
