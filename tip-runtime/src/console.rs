@@ -30,6 +30,8 @@
 //! assert_eq!(keys.collect::<Vec<_>>(), [None, None, None, Some(b'F'), None]);
 //! ```
 
+#[cfg(feature = "terminal")]
+mod key;
 #[cfg(feature = "std")]
 mod log_files;
 #[cfg(feature = "std")]
@@ -37,6 +39,8 @@ mod scripted;
 #[cfg(feature = "terminal")]
 mod terminal;
 
+#[cfg(feature = "terminal")]
+pub use key::Key;
 #[cfg(feature = "std")]
 pub use log_files::{LogError, LogFiles};
 #[cfg(feature = "std")]

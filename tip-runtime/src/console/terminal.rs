@@ -2,10 +2,12 @@
 
 pub use raw::TerminalState;
 
+use super::key::{Key, KeyDecoder};
 use super::{Bars, Console};
 use crate::emergency::Report;
 use crate::printable::Printable;
 use core::fmt::Display;
+use core::mem;
 use std::io::{self, IsTerminal, Read, Stdout, Write};
 use std::string::{String, ToString};
 
@@ -38,6 +40,7 @@ pub struct Terminal<W: Write = Stdout> {
     stops_on_interrupt: bool,
     interrupted: bool,
     raw: Option<raw::Raw>,
+    decoder: KeyDecoder,
 }
 
 impl Terminal {
@@ -82,6 +85,7 @@ impl<W: Write> Terminal<W> {
             stops_on_interrupt: true,
             interrupted: false,
             raw: None,
+            decoder: KeyDecoder::default(),
         }
     }
 
@@ -96,10 +100,17 @@ impl<W: Write> Terminal<W> {
     pub fn interrupted(&self) -> bool {
         self.interrupted
     }
-}
 
-impl<W: Write> Console for Terminal<W> {
-    fn key(&mut self, _cycle: u64) -> Option<u8> {
+    /// Returns the next key that was pressed, arrows included.
+    pub fn pressed(&mut self) -> Option<Key> {
+        let mut decoder = mem::take(&mut self.decoder);
+        let key = decoder.key(|| self.byte());
+        self.decoder = decoder;
+        key
+    }
+
+    /// Returns the next byte of standard input; RETURN for Ctrl-C, if it stops the robot.
+    fn byte(&mut self) -> Option<u8> {
         self.raw.as_ref().filter(|_| raw::is_in_foreground())?;
         let mut byte = [0];
         match io::stdin().read(&mut byte) {
@@ -112,6 +123,18 @@ impl<W: Write> Console for Terminal<W> {
                 self.stops_on_interrupt.then_some(RETURN)
             }
             [byte] => Some(byte),
+        }
+    }
+}
+
+impl<W: Write> Console for Terminal<W> {
+    fn key(&mut self, _cycle: u64) -> Option<u8> {
+        loop {
+            match self.pressed()? {
+                Key::Byte(byte) => return Some(byte),
+                // An arrow is no key of a program.
+                Key::Up | Key::Down | Key::Left | Key::Right => {}
+            }
         }
     }
 

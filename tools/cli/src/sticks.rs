@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 use tip_runtime::command::Port;
+use tip_runtime::console::Key;
 use tip_sim::event::{Event, Events, STICK_AT_REST, Timed};
 use tipc::program::{Action, Program};
 
@@ -14,7 +15,6 @@ const HIGH: f64 = 10.0;
 /// Time after which a stick springs back. A terminal says when a key repeats, and not when it is released; it waits up to this long
 /// before the first repetition.
 const SPRING: Duration = Duration::from_millis(600);
-const ESCAPE: u8 = 0x1B;
 
 /// Returns true if a program reads all sticks; one that reads fewer has knobs, which stay where they are put.
 pub(super) fn are_read(program: &Program) -> bool {
@@ -64,39 +64,21 @@ impl Sticks {
     }
 
     /// Takes all keys that were pressed; those that move no stick wait for [`key`](Self::key).
-    pub(super) fn press(&mut self, now: Instant, mut next: impl FnMut() -> Option<u8>) {
-        while let Some(byte) = next() {
-            let moved = match byte {
-                // Arrows: ESC [ A to D. ESC alone is the halt request.
-                ESCAPE => match next() {
-                    None => None,
-                    Some(b'[' | b'O') => match next() {
-                        Some(b'A') => Some((0, HIGH)),
-                        Some(b'B') => Some((0, LOW)),
-                        Some(b'D') => Some((1, HIGH)),
-                        Some(b'C') => Some((1, LOW)),
-                        // Another key of the terminal's own.
-                        _ => continue,
-                    },
-                    Some(other) => {
-                        self.keys.extend([ESCAPE, other]);
-                        continue;
-                    }
-                },
-                _ => match byte.to_ascii_uppercase() {
-                    b'W' => Some((0, HIGH)),
-                    b'S' => Some((0, LOW)),
-                    b'A' => Some((1, HIGH)),
-                    b'D' => Some((1, LOW)),
-                    b'E' => Some((2, HIGH)),
-                    b'Q' => Some((2, LOW)),
-                    _ => None,
-                },
+    pub(super) fn press(&mut self, now: Instant, mut next: impl FnMut() -> Option<Key>) {
+        while let Some(key) = next() {
+            let (stick, volts) = match key {
+                Key::Up | Key::Byte(b'W' | b'w') => (0, HIGH),
+                Key::Down | Key::Byte(b'S' | b's') => (0, LOW),
+                Key::Left | Key::Byte(b'A' | b'a') => (1, HIGH),
+                Key::Right | Key::Byte(b'D' | b'd') => (1, LOW),
+                Key::Byte(b'E' | b'e') => (2, HIGH),
+                Key::Byte(b'Q' | b'q') => (2, LOW),
+                Key::Byte(byte) => {
+                    self.keys.push_back(byte);
+                    continue;
+                }
             };
-            match moved {
-                Some((stick, volts)) => self.held[stick] = Some((volts, now + SPRING)),
-                None => self.keys.push_back(byte),
-            }
+            self.held[stick] = Some((volts, now + SPRING));
         }
     }
 
@@ -126,7 +108,7 @@ impl Sticks {
 mod tests {
     use super::*;
 
-    fn press(sticks: &mut Sticks, now: Instant, keys: &[u8]) {
+    fn press(sticks: &mut Sticks, now: Instant, keys: &[Key]) {
         let mut keys = keys.iter().copied();
         sticks.press(now, || keys.next());
     }
@@ -134,24 +116,24 @@ mod tests {
     #[test]
     fn keys_move_sticks_that_spring_back() {
         let (mut sticks, now) = (Sticks::new(), Instant::now());
-        press(&mut sticks, now, b"w\x1b[C");
+        press(&mut sticks, now, &[Key::Byte(b'w'), Key::Right]);
         let moved = sticks.moved(now);
         let knob = |n, volts| Event::Sensor(Port::Knob(n), volts);
         assert_eq!(moved, [knob(1, 10.0), knob(2, 0.0)]);
         assert_eq!(sticks.moved(now), []);
         // A key that repeats holds its stick; the other one is back.
-        press(&mut sticks, now + SPRING / 2, b"W");
+        press(&mut sticks, now + SPRING / 2, &[Key::Byte(b'W')]);
         assert_eq!(sticks.moved(now + SPRING), [knob(2, 5.0)]);
         assert_eq!(sticks.moved(now + 2 * SPRING), [knob(1, 5.0)]);
         assert_eq!(sticks.key(), None);
     }
 
     #[test]
-    fn other_keys_reach_the_program_and_escape_stays_a_halt_request() {
+    fn other_keys_reach_the_program() {
         let (mut sticks, now) = (Sticks::new(), Instant::now());
-        press(&mut sticks, now, b"x\x1b[H\x1b");
+        press(&mut sticks, now, &[b'x', 0x1B].map(Key::Byte));
         assert_eq!(sticks.key(), Some(b'x'));
-        assert_eq!(sticks.key(), Some(ESCAPE), "and Home is none");
+        assert_eq!(sticks.key(), Some(0x1B));
         assert_eq!(sticks.key(), None);
         assert_eq!(sticks.moved(now), []);
     }

@@ -90,7 +90,7 @@ impl Console for Screen {
         let keyboard = self.keyboard.as_mut()?;
         let key = match &mut self.sticks {
             Some(sticks) => {
-                sticks.press(Instant::now(), || keyboard.key(cycle));
+                sticks.press(Instant::now(), || keyboard.pressed());
                 sticks.key()
             }
             None => keyboard.key(cycle),

@@ -469,6 +469,8 @@ fn jog_leaves_the_robot_as_the_file_says() {
     };
     let turned = |session: &mut Session| {
         let from = session.bus.with(positions)[1];
+        // An arrow is not ESC, which would end it.
+        session.pty.send(b"\x1b[A");
         for _ in 0..9 {
             session.pty.press(b'+');
         }

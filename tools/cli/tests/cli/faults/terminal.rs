@@ -32,7 +32,12 @@ impl Pty {
 
     /// A key is pressed.
     pub(crate) fn press(&self, key: u8) {
-        assert_eq!(write(&self.fingers, &[key]), Ok(1));
+        self.send(&[key]);
+    }
+
+    /// A key is pressed that has several bytes, such as an arrow; they come together.
+    pub(crate) fn send(&self, key: &[u8]) {
+        assert_eq!(write(&self.fingers, key), Ok(key.len()));
     }
 
     /// Returns the settings for keys, in words that can be compared.
