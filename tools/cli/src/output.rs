@@ -15,7 +15,7 @@ use tip_runtime::record::AtomicFile;
 use tipc::embed;
 use tipc::message::{Lang, Message, Reading};
 
-/// Writes content to the file that an option names, which none of the inputs may be, or to standard output.
+/// Writes content that is no program to the file that an option names, which none of the inputs may be, or to standard output.
 pub(super) fn write(
     out: Option<&Path>,
     inputs: &[&Path],
@@ -151,8 +151,23 @@ pub(super) fn name(path: &Path) -> String {
     }
 }
 
-/// Returns an error if a file to write is one of those that are read.
+/// Returns an error if a file to write, which becomes no program, is one of those that are read, or any program.
 pub(super) fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
+    refuse_same(out, inputs)?;
+    let is_program = out
+        .extension()
+        .is_some_and(|it| it.eq_ignore_ascii_case("prg"));
+    match is_program && out.is_file() {
+        true => {
+            let reason = "this is a program, which would be lost: name another file";
+            Err(Error::cannot_write(out, reason))
+        }
+        false => Ok(()),
+    }
+}
+
+/// Returns an error if a file to write is one of those that are read.
+pub(super) fn refuse_same(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     match inputs.iter().find(|input| is_same(out, input)) {
         Some(input) if !is_standard(out) => {
             let reason = format!("this is {}, which is being read", input.display());

@@ -39,6 +39,7 @@ impl Action for Playground {
     fn execute(&self) -> Result<Status, Error> {
         let lang = choices::lang(self.lang);
         let page = unpack(PAGE).ok_or_else(|| Error::failed(Using::NoPlayground, lang))?;
+        output::refuse_inputs(&self.out, &[])?;
         output::replace(&self.out, page)?;
         Ok(Status::Success)
     }

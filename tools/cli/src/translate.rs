@@ -357,7 +357,13 @@ fn migrate(arguments: &Migrate) -> Result<Status, Error> {
         report::complain(&report);
         return Ok(Status::Failure);
     };
-    output::write(arguments.out.as_deref(), &[&arguments.file], bytes)?;
+    match &arguments.out {
+        Some(out) => {
+            output::refuse_same(out, &[&arguments.file])?;
+            output::replace(out, bytes)?;
+        }
+        None => output::print(bytes)?,
+    }
     report::complain(&report);
     Ok(Status::Success)
 }

@@ -191,7 +191,7 @@ impl Record {
         if input::is_stream(out) {
             return Ok(Destination::New(None));
         }
-        output::refuse_inputs(out, &[&self.robot.file])?;
+        output::refuse_same(out, &[&self.robot.file])?;
         if out.exists() && !self.force {
             let file = output::name(out).into();
             return Err(Error::failed(Driving::RecordTaken { file }, lang));

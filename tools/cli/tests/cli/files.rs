@@ -238,3 +238,43 @@ fn a_file_that_may_not_become_as_long_is_an_error_and_leaves_nothing() {
         assert_eq!(folder.names(), ["p.prg"], "{arguments}");
     }
 }
+
+/// Pages, diagrams, code and traces are no programs: none takes the place of one, but of a page from before.
+#[test]
+fn no_output_replaces_a_program() {
+    let mine = "3.1\nmine\nEND\n";
+    let folder = Folder::new("files-mine")
+        .file("walk.prg", "3.1\ntest\nEND\n")
+        .file("mine.prg", mine)
+        .file("OLD.PRG", mine)
+        .file("old.html", "old");
+    let outputs: [&[&str]; 4] = [
+        &["view", "walk.prg", "--quiet", "-o"],
+        &["plot", "walk.prg", "-o"],
+        &["emit", "rust", "walk.prg", "-o"],
+        &["run", "walk.prg", "--quiet", "--trace"],
+    ];
+    for output in outputs {
+        for program in ["mine.prg", "OLD.PRG"] {
+            let outcome = folder.tip(&[output, &[program]].concat()).expect(1);
+            let said = format!("cannot write {program}: this is a program");
+            assert!(outcome.err.contains(&said), "{output:?}\n{}", outcome.err);
+            let kept = folder.read(program);
+            assert_eq!(kept, mine, "{output:?}");
+        }
+    }
+    folder
+        .tip(&["view", "walk.prg", "--quiet", "-o", "old.html"])
+        .expect(0);
+    let page = folder.read("old.html");
+    assert!(
+        page.ends_with("</html>\n"),
+        "the page from before is replaced"
+    );
+    // A program takes the place of a program, such as at a second try.
+    folder
+        .tip(&["migrate", "walk.prg", "-o", "mine.prg"])
+        .expect(0);
+    let migrated = folder.read("mine.prg");
+    assert!(migrated.contains("test"), "{migrated}");
+}
