@@ -36,7 +36,7 @@ const [wanted, pages, links, sections] = [[], new Map(), [], []];
 
 /** Returns the address on the site that a link of a Markdown file leads to, relative to the page of that file. */
 function place(from, href) {
-  if (/^[a-z]+:/.test(href)) return href;
+  if (/^(https?|mailto):/.test(href)) return href;
   const [name, fragment = ''] = decodeURI(href).split('#');
   const page = pageOf(from);
   const path = name ? normalize(join(dirname(from), name)).replace(/\/$/, '') : from;
@@ -168,10 +168,10 @@ function gallery(language) {
 function lessons(language) {
   const at = LANGUAGES.indexOf(language);
   const word = (name) => WORDS[name][at];
-  const list = JSON.parse(read('site/contents.json')).lessons.map(({ title, text }, n) => `<li><a href="playground.html#lesson=${n + 1}">${title[at]}</a><br>${escaped(text[at][0])}</li>`);
-  const form = `<form class="pupil" action="playground.html#lesson=1"><label>${word('pupil')} <input name="pupil" required autocomplete="off"></label> <button>${word('begin')}</button></form>`;
+  const list = JSON.parse(read('site/contents.json')).lessons.map(({ title, text }, n) => `<li><button class="link" formaction="playground.html#lesson=${n + 1}" formnovalidate>${title[at]}</button><br>${escaped(text[at][0])}</li>`);
+  const form = `<form class="pupil" action="playground.html#lesson=1"><label>${word('pupil')} <input name="pupil" required autocomplete="off"></label> <button>${word('begin')}</button>\n<ol class="lessons">${list.join('\n')}</ol></form>`;
   const page = spoken('lessons.html', language);
-  write(page, { language, title: word('lessons'), html: `<h1>${word('lessons')}</h1>\n<p>${word('lessonsText')}</p>\n${form}\n<ol class="lessons">${list.join('\n')}</ol>` });
+  write(page, { language, title: word('lessons'), html: `<h1>${word('lessons')}</h1>\n<p>${word('lessonsText')}</p>\n${form}` });
 }
 
 function search(language) {

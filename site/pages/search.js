@@ -25,7 +25,7 @@ function excerpt(text) {
   const from = Math.max(0, Math.min(...places, flat.length) - AROUND);
   const shown = flat.slice(from, from + 3 * AROUND);
   const line = document.createElement('p');
-  const pattern = new RegExp(`(${words.map((word) => word.replace(/[^\p{L}\p{N}_]/gu, '\\$&')).join('|')})`, 'iu');
+  const pattern = new RegExp(`(${words.map((word) => word.replace(/[\\^$.*+?()[\]{}|/]/g, '\\$&')).join('|')})`, 'iu');
   line.append(
     ...shown.split(pattern).map((part, n) => (n % 2 ? Object.assign(document.createElement('mark'), { textContent: part }) : part)),
   );

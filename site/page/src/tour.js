@@ -10,35 +10,53 @@ const { robots, examples, lessons, files } = CONTENTS;
 const told = (texts) => texts[spoken()];
 /** The name of the pupil in the address of the page, since pupils may share a browser. */
 const PUPIL = new URLSearchParams(location.search).get('pupil') ?? '';
-const SHELF = `tip-lessons ${PUPIL}`;
+/** The key of a lesson, an example or the program of one's own; other tabs write others. */
+const keyOf = (choice) => `tip-lessons ${PUPIL} ${choice}`;
+/** Lines end alike in the editor and in files. */
+const lines = (text) => text.replace(/\r\n?/g, '\n');
+const isSame = (one, other) => lines(one.text) === lines(other.text) && one.robot === other.robot && one.events === other.events;
 
-/** Returns the texts that were written into lessons and examples before, by choice. */
-function readKept() {
+/** What was written before, where the page has no storage. */
+const unstored = new Map();
+
+/** Returns what was written before, { text, robot, events }; undefined if nothing was. */
+function readKept(choice) {
   try {
-    return new Map(JSON.parse(localStorage.getItem(SHELF) ?? '[]'));
+    return unstored.get(choice) ?? JSON.parse(localStorage.getItem(keyOf(choice)) ?? 'null') ?? undefined;
   } catch {
-    // A page may have no storage.
-    return new Map();
+    return undefined;
+  }
+}
+
+/** Keeps what was written, or forgets it if it is undefined. */
+function writeKept(choice, wanted) {
+  try {
+    if (wanted) localStorage.setItem(keyOf(choice), JSON.stringify(wanted));
+    else localStorage.removeItem(keyOf(choice));
+    unstored.delete(choice);
+  } catch {
+    unstored.set(choice, wanted);
   }
 }
 
 export class Tour {
   constructor(session) {
     this.session = session;
-    this.kept = readKept();
     session.listen((update) => {
       if (update.type === 'text') this.edited(update.text);
     });
     element('choice').addEventListener('change', ({ target }) => {
       const [kind, number] = target.value.split(' ');
-      if (number) this.open({ [kind]: Number(number) });
+      // What one goes on to write in a program of one's own is not the lesson's any more.
+      this.open(number ? { [kind]: Number(number) } : (readKept('own') ?? this.wanted()));
     });
     element('lesson-before').addEventListener('click', () => this.open({ lesson: this.lesson - 1 }));
     element('lesson-after').addEventListener('click', () => this.open({ lesson: (this.lesson ?? 0) + 1 }));
     element('original').addEventListener('click', () => {
       const [kind, number] = this.choice.split(' ');
-      this.keep(undefined);
+      writeKept(this.choice, undefined);
       this.open({ [kind]: Number(number) });
+      notice(word('discarded'));
     });
     element('wanted').addEventListener('submit', (event) => event.preventDefault());
     element('robot').addEventListener('change', () => this.begin());
@@ -57,33 +75,48 @@ export class Tour {
     } catch {
       notice(word('unreadable'));
     }
-    this.open(wanted ?? { example: 1 });
+    this.open(wanted ?? { example: 1 }, false);
   }
 
-  /** A lesson or an example by its number, or { text, robot, events }. */
-  open({ lesson, example, text, robot, events }) {
-    const shown = lesson ? lessons[lesson - 1] : examples[example - 1];
-    const known = shown ?? (text === undefined ? lessons[0] : { robot, events });
-    this.lesson = known === lessons[0] ? 1 : shown && lesson;
-    this.choice = this.lesson ? `lesson ${this.lesson}` : shown ? `example ${example}` : 'own';
-    this.name = known.program?.split('/').at(-1) ?? 'program.prg';
-    const kept = this.kept.get(this.choice);
-    this.text = text ?? kept ?? files[known.program];
-    this.remember(this.choice === 'own' ? location.hash : `#${this.choice.replace(' ', '=')}`);
+  /**
+   * Shows a lesson or an example by its number, a program { text, robot, events }, or both: what was written into the lesson. It gets an
+   * address of its own, from which the browser's Back returns, unless the address has led to it.
+   */
+  open({ lesson, example, text, robot, events }, hasNewAddress = true) {
+    const shown = lessons[lesson - 1] ?? examples[example - 1];
+    const known = shown ?? (text === undefined ? lessons[0] : undefined);
+    const original = known && { text: files[known.program], robot: known.robot ?? 'titan8', events: known.events ?? '' };
+    const given = text === undefined ? undefined : { text, robot: robot in robots ? robot : 'titan8', events: events ?? '' };
+    this.lesson = known && examples.includes(known) ? undefined : known && lessons.indexOf(known) + 1;
+    let choice = !known ? 'own' : this.lesson ? `lesson ${this.lesson}` : `example ${example}`;
+    const kept = readKept(choice);
+    // Somebody else's text of a lesson does not take the place of one's own.
+    const isForeign = known && given && kept && !isSame(given, kept);
+    if (isForeign) [choice, this.lesson] = ['own', undefined];
+    const wanted = given ?? kept ?? original;
+    [this.choice, this.original] = [choice, isForeign ? undefined : original];
+    this.name = this.original ? known.program.split('/').at(-1) : 'program.prg';
+    this.text = wanted.text;
     this.say();
-    element('robot').value = known.robot in robots ? known.robot : 'titan8';
-    element('scripted').value = known.events ?? '';
+    element('robot').value = wanted.robot;
+    element('scripted').value = wanted.events;
     element('lesson').scrollTop = 0;
     this.run();
-    if (kept) this.rememberText();
+    // Somebody else's program is not yet one's own.
+    if (this.original) this.keep();
+    else this.sayLesson();
+    if (hasNewAddress) this.remember(this.shown, true);
+    this.rememberText();
   }
 
   /** The same program from its beginning, on the robot that is chosen and with what is to happen to it. */
-  async begin() {
-    this.run();
-    this.remember(await fragmentOf(this.wanted()));
+  begin() {
+    if (!this.run()) return;
+    this.keep();
+    this.rememberText();
   }
 
+  /** Runs the program from its beginning; returns true if it can. */
   run() {
     const { robot, scene } = robots[element('robot').value];
     const filled = (one) => one && { name: one.name, text: files[one.name] };
@@ -91,52 +124,61 @@ export class Tour {
     const error = this.session.open({ program, robot: filled(robot), scene: filled(scene), events: element('scripted').value });
     element('scripted').toggleAttribute('aria-invalid', Boolean(error));
     if (error) notice(error);
+    return !error;
   }
 
   /** The session has a text: what was opened, or what was written since. */
-  async edited(text) {
-    if (text === this.text.replace(/\r\n?/g, '\n')) return;
+  edited(text) {
+    if (text === lines(this.text)) return;
     this.text = text;
-    if (this.choice !== 'own') this.keep(text);
-    this.sayLesson();
-    await this.rememberText();
+    this.keep();
+    this.rememberText();
   }
 
-  /** Keeps what is written into the lesson or example that is shown, or forgets it. */
-  keep(text) {
-    if (text === undefined) this.kept.delete(this.choice);
-    else this.kept.set(this.choice, text);
-    try {
-      localStorage.setItem(SHELF, JSON.stringify([...this.kept]));
-    } catch {
-      // Without storage the text is kept as long as the page is open.
-    }
+  /** True if something else is wanted than the lesson or example has. */
+  get isChanged() {
+    return !this.original || !isSame(this.wanted(), this.original);
+  }
+
+  /** Keeps what is written into the lesson, the example or the program of one's own. */
+  keep() {
+    writeKept(this.choice, this.isChanged ? this.wanted() : undefined);
+    this.sayLesson();
+  }
+
+  /** The address of the lesson or example that is shown. */
+  get shown() {
+    return this.choice === 'own' ? '#' : `#${this.choice.replace(' ', '=')}`;
   }
 
   /** The address holds what has been written. */
   async rememberText() {
-    this.remember(await fragmentOf(this.wanted()));
+    const turn = (this.turn = {});
+    const address = this.isChanged ? await fragmentOf(this.wanted(), this.shown) : this.shown;
+    // Another address may have been found first.
+    if (turn === this.turn) this.remember(address);
   }
 
-  /** Returns the parts of a program of one's own that an address holds. */
+  /** Returns the parts of a program that an address holds. */
   wanted() {
     return { text: this.text, robot: element('robot').value, events: element('scripted').value };
   }
 
-  remember(address) {
+  remember(address, isNew = false) {
     this.address = address;
     try {
-      history.replaceState(null, '', address || location.pathname + location.search);
+      history[isNew ? 'pushState' : 'replaceState'](null, '', address);
     } catch {
       // A page inside another one may have no address of its own.
     }
   }
 
   async share() {
-    const fragment = await fragmentOf(this.wanted());
+    const fragment = await fragmentOf(this.wanted(), this.shown);
     this.remember(fragment);
     try {
-      await navigator.clipboard.writeText(`${location.href.split('#')[0]}${fragment}`);
+      // Whoever gets the link is another pupil.
+      await navigator.clipboard.writeText(`${location.href.split(/[?#]/)[0]}${fragment}`);
       notice(word('copiedLink'));
     } catch {
       // A page in a file may not.
@@ -161,7 +203,7 @@ export class Tour {
   }
 
   sayLesson() {
-    element('original').hidden = !this.kept.has(this.choice);
+    element('original').hidden = !this.original || !this.isChanged;
     const lesson = lessons[this.lesson - 1];
     // The first example is what one sees first: it leads to the tour.
     const isWelcome = this.choice === 'example 1';

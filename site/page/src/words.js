@@ -2,7 +2,7 @@
 
 export const TOUR_WORDS = {
   show: ['Show', '表示'],
-  tour: ['Guided tour', '10 課のツアー'],
+  tour: ['Guided tour', 'ツアー'],
   examples: ['Examples', '例'],
   own: ['A program of your own', '自分のプログラム'],
   lessons: ['Lessons', '課'],
@@ -11,6 +11,7 @@ export const TOUR_WORDS = {
   lessonAfter: ['Next', '次の課'],
   beginTour: ['Begin the tour', 'ツアーを始める'],
   original: ['Discard my changes', '変更を破棄'],
+  discarded: ['Your changes are gone; Back in the browser brings them back.', '変更を破棄しました。ブラウザの「戻る」で元に戻せます。'],
   welcome: ['A robot that walks', '歩くロボット'],
   welcomeText: ['TITAN VIII runs the program in the editor, here in your browser. The tour explains the language in small steps.', 'TITAN VIII がエディタのプログラムをこのブラウザの中で実行しています。ツアーでは言語を少しずつ説明します。'],
   welcomeTry: ['Change SPEED = 300 to 150 and press "Run from start".', 'SPEED = 300 を 150 に変えて「最初から実行」を押してみてください。'],

@@ -113,6 +113,84 @@ describe('one file', () => {
     await close();
   });
 
+  const MINE = '3.1\nMine\nMESSAGE mine\nEND\n';
+  const ready = (page) => page.waitForSelector('html[data-ready]', { state: 'attached' });
+
+  test('a lesson stays the lesson after a reload, with what was written and its inputs', async () => {
+    const { page, close } = await open(`${one}#lesson=6`);
+    await write(page, MINE);
+    await page.fill('#scripted', '2:key Q');
+    await page.keyboard.press('Tab');
+    await page.waitForFunction(() => location.hash.includes('events=2%3Akey+Q'));
+    await page.reload();
+    await ready(page);
+    assert.equal(await page.inputValue('#choice'), 'lesson 6');
+    assert.equal(await page.isVisible('#lesson'), true);
+    await write(page, MINE.replaceAll('ine', 'ore'));
+    await page.click('#lesson-after');
+    await page.click('#lesson-before');
+    await says(page, '#title', 'More');
+    assert.equal(await page.inputValue('#scripted'), '2:key Q');
+    await close();
+  });
+
+  test('what was discarded is there again by Back', async () => {
+    const { page, close } = await open(`${one}#lesson=2`);
+    await write(page, MINE);
+    await page.click('#original');
+    await page.waitForFunction(() => location.hash === '#lesson=2');
+    assert.notEqual(await page.textContent('#title'), 'Mine');
+    await page.goBack();
+    await says(page, '#title', 'Mine');
+    assert.equal(await page.inputValue('#choice'), 'lesson 2');
+    await close();
+  });
+
+  test('a program of one\'s own begins with what is shown, and is no lesson any more', async () => {
+    const { page, close } = await open(`${one}#lesson=4`);
+    await page.selectOption('#choice', 'own');
+    await page.waitForSelector('#lesson', { state: 'hidden' });
+    await write(page, MINE);
+    await page.selectOption('#choice', 'lesson 4');
+    await says(page, '#file', '04-loop');
+    assert.equal(await page.isHidden('#original'), true);
+    await page.selectOption('#choice', 'own');
+    await says(page, '#title', 'Mine');
+    await close();
+  });
+
+  test('a program that was sent takes no place of one\'s own, and Back returns to it', async () => {
+    const { page, close } = await open(`${one}#lesson=2`);
+    await write(page, MINE);
+    const sent = page.url();
+    await page.click('#original');
+    await write(page, MINE.replaceAll('ine', 'ore'));
+    await page.goto('about:blank');
+    await page.goto(sent);
+    await ready(page);
+    await says(page, '#title', 'Mine');
+    assert.equal(await page.inputValue('#choice'), 'own');
+    await page.selectOption('#choice', 'lesson 2');
+    await says(page, '#title', 'More');
+    await page.goBack();
+    await says(page, '#title', 'Mine');
+    await close();
+  });
+
+  test('two tabs keep what is written in both', async () => {
+    const { page, close } = await open(`${one}#lesson=6`);
+    const other = await page.context().newPage();
+    await other.goto(`${one}#lesson=7`);
+    await ready(other);
+    await write(page, MINE);
+    await write(other, MINE.replaceAll('ine', 'ore'));
+    await other.selectOption('#choice', 'lesson 6');
+    await says(other, '#title', 'Mine');
+    await other.selectOption('#choice', 'lesson 7');
+    await says(other, '#title', 'More');
+    await close();
+  });
+
   test('takes a key and a slider, and halts', async () => {
     const { page, complaints, close } = await open();
     await run(page, COUNTS);
@@ -207,7 +285,7 @@ describe('one file', () => {
     assert.equal(new URL(page.url()).hash, '#example=3');
     await write(page, '3.1\n足を上げる 🤖\nMESSAGE はい\nEND\n');
     const address = page.url();
-    assert.match(address, /#robot=hexapod&events=&program=/);
+    assert.match(address, /#example=3&robot=hexapod&events=&program=/);
     await close();
     const other = await open(address);
     await says(other.page, '#title', '足を上げる 🤖');

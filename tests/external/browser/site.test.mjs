@@ -109,6 +109,10 @@ test('search finds REL_PTP by keys alone, and what two languages say', async () 
   assert.match(await page.locator('#results li a').first().getAttribute('href'), /tutorial\.ja\.html/);
   await page.goto(`${home}search.html?q=<img src=x onerror=alert(1)> .*`);
   assert.equal(await page.textContent('#found'), 'Nothing was found.');
+  for (const words of ['--robot', 'quasi-static', '100 %', 'STEP_1:', '@POS_F1', '[bus]']) {
+    await page.goto(`${home}search.html?q=${encodeURIComponent(words)}`);
+    assert.ok((await page.locator('#results li mark').count()) > 0, words);
+  }
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -132,6 +136,11 @@ test('a pupil begins the lessons under a name, and a replay shows a run of the g
   await page.click('.pupil button');
   await page.waitForSelector('html[data-ready]', { state: 'attached' });
   assert.equal(await page.textContent('#lesson-number'), 'Aiko · 1 of 11');
+  await page.goto(`${home}lessons.html`);
+  await page.fill('input[name=pupil]', 'Aiko');
+  await page.locator('.lessons button').nth(2).click();
+  await page.waitForSelector('html[data-ready]', { state: 'attached' });
+  assert.equal(await page.textContent('#lesson-number'), 'Aiko · 3 of 11');
   await page.goto(`${home}gallery.html`);
   assert.equal(await page.locator('.cards li').count(), 11);
   await page.locator('.cards li').nth(3).getByText('Replay').click();
