@@ -11,8 +11,8 @@ use crate::{
 use clap::builder::EnumValueParser;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, CommandFactory};
 use clap_complete::Shell;
-use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 use tipc::message::Lang;
 
 /// A group of commands by what people do with them, in the order of the list of commands.
@@ -290,11 +290,25 @@ impl Action for Man {
     }
 }
 
+/// Keeps the lines of examples and tables in the manual pages of a folder, which would be filled like sentences.
+fn keep_lines(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with("tip") && name.ends_with(".1") {
+            let page = fs::read_to_string(&path)?;
+            fs::write(&path, page.replace("\n.SH EXTRA\n", "\n.SH EXTRA\n.nf\n"))?;
+        }
+    }
+    Ok(())
+}
+
 /// Writes the manual pages.
 fn man(arguments: &Man) -> Result<Status, Error> {
     let folder = &arguments.out;
-    let failed = |error: std::io::Error| Error::cannot_write(folder, error);
+    let failed = |error: io::Error| Error::cannot_write(folder, error);
     fs::create_dir_all(folder).map_err(failed)?;
     clap_mangen::generate_to(grammar(), folder).map_err(failed)?;
+    keep_lines(folder).map_err(failed)?;
     Ok(Status::Success)
 }

@@ -47,6 +47,7 @@ use std::process::ExitCode;
     arg_required_else_help = true,
     after_long_help = "A first session:
   tip new demo                       make a crate with a robot that moves
+  cd demo/motions
   tip check walk.prg                 report all errors and warnings
   tip check --fix walk.prg           apply certain fixes
   tip run walk.prg                   run it on the simulated TITAN VIII

@@ -157,7 +157,13 @@ fn made(
         let _ = writeln!(text, "{}", tried.in_lang(lang));
     }
     let next = Making::Next.in_lang(lang);
-    let _ = writeln!(text, "{next}\n  cd {folder}\n  cargo run");
+    let _ = writeln!(text, "{next}\n  cd {folder}");
+    // Neither needs the other: the command that was installed may have come without a Rust toolchain.
+    let motion = files.iter().find(|file| file.name.ends_with(".prg"));
+    if let Some(motion) = motion {
+        let _ = writeln!(text, "  tip serve {}", motion.name);
+    }
+    text.push_str("  cargo run\n");
     text
 }
 

@@ -58,4 +58,6 @@ fn each_command_has_its_page() {
         page.contains("\\-\\-robot") && page.contains("Exit status"),
         "{page}"
     );
+    // A line of an example stays a line.
+    assert!(page.contains(".SH EXTRA\n.nf\nExamples:\n"), "{page}");
 }

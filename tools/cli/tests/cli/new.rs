@@ -54,7 +54,7 @@ fn a_crate_has_all_that_it_says() {
         checkout.display()
     );
     let said = format!(
-        "made first-walk, a crate for titan8:\n{listed}{depends}next:\n  cd first-walk\n  cargo run\n"
+        "made first-walk, a crate for titan8:\n{listed}{depends}next:\n  cd first-walk\n  tip serve motions/walk.prg\n  cargo run\n"
     );
     assert_eq!(outcome.out, said);
     assert_eq!(outcome.err, "");
