@@ -35,9 +35,9 @@ impl Feedback {
             for (joint, angle) in angles.iter_mut().enumerate() {
                 let own = self::name(leg, joint);
                 let reported = names.iter().zip(positions);
-                let positions =
+                let mut positions =
                     reported.filter(|(name, position)| **name == own && position.is_finite());
-                if let Some((_, position)) = positions.last() {
+                if let Some((_, position)) = positions.next_back() {
                     let value = position.to_degrees();
                     *angle = Some(Angle { value, age: 0 });
                     is_ours = true;
