@@ -10,7 +10,9 @@ fn main() -> io::Result<()> {
     let text = fs::read(script)?;
     // Browsers refuse a script of other bytes than those that the page was built with.
     if text.contains(&b'\r') {
-        return Err(io::Error::other(format!("{script} has other line ends than in the repository")));
+        return Err(io::Error::other(format!(
+            "{script} has other line ends than in the repository"
+        )));
     }
     let packed = miniz_oxide::deflate::compress_to_vec(&text, 9);
     fs::write(Path::new(&folder).join("page.js"), packed)
