@@ -14,6 +14,8 @@ const PUPIL = new URLSearchParams(location.search).get('pupil') ?? '';
 const keyOf = (choice) => `tip-lessons ${PUPIL} ${choice}`;
 /** Lines end alike in the editor and in files. */
 const lines = (text) => text.replace(/\r\n?/g, '\n');
+/** Returns a program with its robot and its events: titan8 and none, if they are missing or unknown. */
+const complete = ({ text, robot, events }) => ({ text, robot: Object.hasOwn(robots, robot) ? robot : 'titan8', events: events ?? '' });
 const isSame = (one, other) => lines(one.text) === lines(other.text) && one.robot === other.robot && one.events === other.events;
 
 /** What was written before, where the page has no storage. */
@@ -22,7 +24,8 @@ const unstored = new Map();
 /** Returns what was written before, { text, robot, events }; undefined if nothing was. */
 function readKept(choice) {
   try {
-    return unstored.get(choice) ?? JSON.parse(localStorage.getItem(keyOf(choice)) ?? 'null') ?? undefined;
+    const kept = unstored.get(choice) ?? JSON.parse(localStorage.getItem(keyOf(choice)) ?? 'null');
+    return typeof kept?.text === 'string' ? complete(kept) : undefined;
   } catch {
     return undefined;
   }
@@ -83,19 +86,18 @@ export class Tour {
    * address of its own, from which the browser's Back returns, unless the address has led to it.
    */
   open({ lesson, example, text, robot, events }, hasNewAddress = true) {
-    const shown = lessons[lesson - 1] ?? examples[example - 1];
-    const known = shown ?? (text === undefined ? lessons[0] : undefined);
-    const original = known && { text: files[known.program], robot: known.robot ?? 'titan8', events: known.events ?? '' };
-    const given = text === undefined ? undefined : { text, robot: robot in robots ? robot : 'titan8', events: events ?? '' };
-    this.lesson = known && examples.includes(known) ? undefined : known && lessons.indexOf(known) + 1;
-    let choice = !known ? 'own' : this.lesson ? `lesson ${this.lesson}` : `example ${example}`;
-    const kept = readKept(choice);
+    const given = text === undefined ? undefined : complete({ text, robot, events });
+    const shown = lessons[lesson - 1] ?? examples[example - 1] ?? (given ? undefined : lessons[0]);
+    const number = lessons.indexOf(shown) + 1;
+    const name = number ? `lesson ${number}` : `example ${example}`;
+    const kept = shown && readKept(name);
     // Somebody else's text of a lesson does not take the place of one's own.
-    const isForeign = known && given && kept && !isSame(given, kept);
-    if (isForeign) [choice, this.lesson] = ['own', undefined];
-    const wanted = given ?? kept ?? original;
-    [this.choice, this.original] = [choice, isForeign ? undefined : original];
-    this.name = this.original ? known.program.split('/').at(-1) : 'program.prg';
+    const isOwn = !shown || (given && kept && !isSame(given, kept));
+    this.choice = isOwn ? 'own' : name;
+    this.lesson = isOwn || !number ? undefined : number;
+    this.original = isOwn ? undefined : complete({ ...shown, text: files[shown.program] });
+    this.name = isOwn ? 'program.prg' : shown.program.split('/').at(-1);
+    const wanted = given ?? kept ?? this.original;
     this.text = wanted.text;
     this.say();
     element('robot').value = wanted.robot;

@@ -164,6 +164,7 @@ describe('one file', () => {
     await write(page, MINE);
     const sent = page.url();
     await page.click('#original');
+    await page.waitForFunction(() => location.hash === '#lesson=2' && !document.querySelector('#editor').textContent.includes('Mine'));
     await write(page, MINE.replaceAll('ine', 'ore'));
     await page.goto('about:blank');
     await page.goto(sent);
