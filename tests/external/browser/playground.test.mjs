@@ -151,6 +151,7 @@ describe('one file', () => {
     await page.selectOption('#choice', 'own');
     await page.waitForSelector('#lesson', { state: 'hidden' });
     await write(page, MINE);
+    await page.waitForFunction(() => localStorage['tip-lessons  own']?.includes('Mine'));
     await page.selectOption('#choice', 'lesson 4');
     await says(page, '#file', '04-loop');
     assert.equal(await page.isHidden('#original'), true);
